@@ -30,14 +30,16 @@ class Point {
   int exponent() const { return exponent_; }
 
   /// Double-double approximation: |coordinate - (high + low)| <= 2^-104 |coordinate|, provided that the
-  /// coordinate is 0 or has a magnitude in [2^-900, 2^1000]; infinite or less precise beyond. The filters' error
-  /// bounds rely on it for coordinates of magnitude at most 1, see predicates.cpp.
+  /// coordinate is 0 or has a magnitude in [2^-900, 2^1000]; an absolute error below 2^-1000 under, infinite beyond.
   double high(int axis) const { return high_[axis]; }
   double low(int axis) const { return low_[axis]; }
 
   /// The nearest double, up to one unit in the last place: steering only.
   double approximate(int axis) const { return high_[axis]; }
   std::array<double, 3> approximate() const { return {high_[0], high_[1], high_[2]}; }
+
+  /// At least max(1, |x|, |y|, |z|): the filters' floor scales with it.
+  float magnitude() const { return magnitude_; }
 
   /// The same point times 2^power: exact.
   Point scaled(int power) const;
@@ -57,6 +59,7 @@ class Point {
   std::array<double, 3> high_{};
   std::array<double, 3> low_{};
   int exponent_ = 0;
+  float magnitude_ = 1;
 };
 
 struct PointHash {
@@ -75,6 +78,9 @@ mpz_class dot(const IntegerVector& a, const IntegerVector& b);
 
 /// Divides by the gcd of the entries (nothing for the zero vector). Keeps the direction.
 void make_primitive(IntegerVector& vector);
+
+/// The nearest integer to value, exactly for every finite double beyond 2^53.
+mpz_class rounded(double value);
 
 /// The primitive integer normal of the plane through a, b, c, in the direction of (b-a) x (c-a).
 /// Zero if the points are collinear.

@@ -2,8 +2,7 @@
 // Exact geometric predicates over dyadic points. Each returns the sign (-1, 0, +1) of a polynomial, exactly: a
 // floating-point stage with a proved error bound decides the clear cases, integers decide the rest.
 //
-// The filters' bounds assume |coordinates| <= 1; complexes are scaled so (complex.h). Without it the signs are
-// still exact: a filter that overflows or underflows never decides.
+// Filters are effective for features above 2^-48 of the greatest coordinate (or of 1); smaller ones go to integers.
 #pragma once
 
 #include "core/numbers/point.h"
