@@ -4,7 +4,7 @@
     An arc of angle theta on a circle of radius r is cut into
     k = floor(2 theta / phi) equal subarcs. *)
 From Coq Require Import Reals Lra Lia Psatz ZArith.
-From Confidel Require Import Space.
+From Confidel.lemmas Require Import Space.
 Open Scope R_scope.
 
 (** Length of the chord that subtends the angle t on a circle of radius r. *)

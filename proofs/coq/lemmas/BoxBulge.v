@@ -1,7 +1,7 @@
 (** L4, box bulge (paper section 2.3: "the circumcircle of a sqrt(3) h by d_e box can
     only bulge a distance h/2 outside of the buffer-zone; this occurs when d_e = h"). *)
 From Coq Require Import Reals Lra Psatz.
-From Confidel Require Import Space.
+From Confidel.lemmas Require Import Space.
 Open Scope R_scope.
 
 (** Reach of the circumcircle of a w x d rectangle beyond a side of length w. *)

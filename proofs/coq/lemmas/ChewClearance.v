@@ -1,7 +1,7 @@
 (** L8, Chew clearance (paper section 2.2: "Chew's algorithm does not place any
     vertices within distance h/2 of the boundary of the protecting polygons"). *)
 From Coq Require Import Reals Lra Psatz.
-From Confidel Require Import Space.
+From Confidel.lemmas Require Import Space.
 Open Scope R_scope.
 
 (** Stewart's identity: the squared distance to a point of a segment. *)

@@ -2,7 +2,7 @@
     length l is subdivided into j = floor(l/h) subsegments of equal lengths ...
     it is important to obtain a sequence of identical intervals"). *)
 From Coq Require Import Reals Lra Lia Psatz ZArith.
-From Confidel Require Import Space ArcSpacing.
+From Confidel.lemmas Require Import Space ArcSpacing.
 Open Scope R_scope.
 
 Definition intervals l h := Int_part (l / h).

@@ -5,7 +5,7 @@
     k being the signed distance from the base towards the apex. It reaches down to
     height k - R, so its bulge beyond the base is R - k. *)
 From Coq Require Import Reals Lra Psatz.
-From Confidel Require Import Space.
+From Confidel.lemmas Require Import Space.
 Open Scope R_scope.
 
 Definition bulge b k := sqrt (k * k + b * b / 4) - k.
