@@ -70,15 +70,18 @@ struct InputRegion {
 
 struct Input {
   std::string file;
+  std::string vertex_file;  ///< the file that the vertices' lines refer to: the companion .node, or file itself
   int dimension = 3;
   int first_index = 0;  ///< 0 or 1: the base of the file's own numbering, for messages
   bool has_markers = false;
-  bool triangle_soup = false;  ///< .off, .obj, .stl, .ply: facets are pieces of surfaces (see --merge-coplanar)
+  bool triangle_soup = false;  ///< .off, .obj, .stl, .ply, .mesh: facets are pieces of surfaces (see --merge-coplanar)
   std::vector<InputVertex> vertices;
   std::vector<InputFacet> facets;      ///< dimension 3
   std::vector<InputSegment> segments;  ///< dimension 2: the PSLG; dimension 3: segments outside facets (.obj `l`)
   std::vector<std::array<double, 3>> holes;  ///< volume holes (3D) or area holes (2D)
   std::vector<InputRegion> regions;
+  /// What the reader did that the author may want to know: merged corners and the like.
+  std::vector<std::string> remarks;
 };
 
 }  // namespace confidel

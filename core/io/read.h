@@ -8,8 +8,10 @@
 
 namespace confidel {
 
-/// Reads .poly (2D and 3D, with companion .node), .smesh, .off, .obj, .edg. A number is its nearest double.
-/// Throws InputError (E-SYNTAX, E-FIELDS, E-NUMBER, E-INDEX, E-TRUNCATED, E-FORMAT, ...) with file:line:column, FileError if unreadable.
+/// Reads .poly (2D and 3D, with companion .node), .smesh, .off, .obj, .edg, .stl, .ply, medit .mesh.
+/// A number is its nearest double. Nothing is repaired; what a reader did beyond reading stands in Input::remarks.
+/// Throws InputError with file:line:column (E-FORMAT, E-SYNTAX, E-FIELDS, E-NUMBER, E-VALUE, E-COUNT, E-INDEX,
+/// E-TRUNCATED, E-TRAILING, E-EMPTY), FileError if the file or its companion cannot be read.
 Input read_input(const std::string& path);
 
 }  // namespace confidel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/read.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "core/io/source.h"
+
+namespace confidel {
+
+namespace {
+
+struct Format {
+  std::string_view suffix;
+  Input (*read)(const io::Source&);
+};
+
+constexpr Format formats[] = {{".poly", io::read_poly},
+                              {".smesh", io::read_smesh},
+                              {".off", io::read_off},
+                              {".obj", io::read_obj},
+                              {".edg", io::read_edg}};
+
+}  // namespace
+
+Input read_input(const std::string& path) {
+  const std::string suffix = io::suffix(path);
+  for (const Format& format : formats) {
+    if (format.suffix == suffix) return format.read(io::load(path));
+  }
+  io::load(path);  // A file that is not there at all is the more useful message.
+  std::string known;
+  for (const Format& format : formats) known += fmt::format("{}{}", known.empty() ? "" : ", ", format.suffix);
+  throw InputError({{"E-FORMAT",
+                     {path, 0, 0},
+                     fmt::format("the suffix '{}' names no format that can be read: use one of {}", suffix, known)}});
+}
+
+}  // namespace confidel
