@@ -103,7 +103,7 @@ Proof.
   change (power (spoke_centre b r a) vzero) with (spoke_power b r a).
   rewrite spoke_power_on_edge; [|exact Ha|apply O|apply tilted_unit; exact O].
   rewrite dot_tilted by exact O.
-  assert (P : 0 < r * r * cos beta / cos a) by (apply Rdiv_lt_0_compat; [nra|lra]).
+  assert (P : 0 < r * r * cos beta / cos a) by (apply Rdiv_lt_0_compat; [repeat apply Rmult_lt_0_compat|]; assumption).
   set (k := r * r * cos beta / cos a) in *.
   set (x := cos beta * cos a) in *. set (z := cos omega * cos lambda) in *.
   split; intros H.
@@ -128,7 +128,7 @@ Proof.
   unfold strictly_inside. change (power (spoke_centre b r a) vzero) with (spoke_power b r a).
   rewrite spoke_power_on_edge; [|exact Ca|apply O|apply tilted_unit; exact O].
   rewrite dot_tilted by exact O.
-  assert (P : 0 < r * r * cos beta / cos a) by (apply Rdiv_lt_0_compat; [nra|lra]).
+  assert (P : 0 < r * r * cos beta / cos a) by (apply Rdiv_lt_0_compat; [repeat apply Rmult_lt_0_compat|]; assumption).
   assert (cos beta * cos a < cos omega * cos lambda) by nra. nra.
 Qed.
 

@@ -166,9 +166,7 @@ Proof.
   unfold norm2, dot, dir; simpl.
   assert (S : sqrt (2 + z * z) * sqrt (2 + z * z) = 2 + z * z) by (apply sqrt_sqrt; nra).
   assert (P : 0 < sqrt (2 + z * z)) by (apply sqrt_lt_R0; nra).
-  set (l := sqrt (2 + z * z)) in *. replace 1 with ((2 + z * z) / (l * l)) at 3.
-  - field. lra.
-  - rewrite S. field. nra.
+  set (l := sqrt (2 + z * z)) in *. transitivity ((2 + z * z) / (l * l)); [field; lra|rewrite S; field; nra].
 Qed.
 
 (** The heart of W3: c outside both means two incompatible bounds on the height of c. *)
@@ -236,7 +234,7 @@ Definition unit_of v := vscale (/ norm v) v.
 Lemma unit_of_scaled_dir k z : 0 < k -> unit_of (vscale k (dir z)) = dir z.
 Proof.
   intros Hk. unfold unit_of. rewrite norm_scaled_dir by exact Hk.
-  apply vec_eq; unfold vscale; simpl; field; lra.
+  destruct (dir z) as [x y t]. apply vec_eq; unfold vscale; simpl; field; lra.
 Qed.
 Lemma w3_unit : unit_of w3 = dir (1/20).
 Proof.

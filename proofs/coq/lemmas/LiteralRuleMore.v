@@ -36,7 +36,7 @@ Proof.
   set (c := cos (PI / 4)) in *. set (s := sin (PI / 4)) in *.
   set (cb := cos beta) in *. set (sb := sin beta) in *.
   replace (power (vscale (1 / 2) a_plus) vzero m_B)
-    with (r * cb * (r * cb * (s * s + c * c) - r * (c * cb + s * sb))) by (unfold a_plus, m_B; vring).
+    with (r * cb * (r * cb * (s * s + c * c) - r * (c * cb + s * sb))) by (subst a_plus m_B; unfold power, dist2, norm2, dot, vsub, vscale, vzero; simpl; field).
   rewrite Q. assert (0 < r * cb) by nra.
   assert (r * cb * 1 - r * (c * cb + s * sb) < 0) by nra. nra.
 Qed.
@@ -56,7 +56,7 @@ Proof.
   set (c := cos (PI / 4)) in *. set (s := sin (PI / 4)) in *.
   set (cb := cos beta) in *. set (sb := sin beta) in *.
   replace (power (vscale (1 / 2) a_plus) vzero m_B)
-    with (r * cb * (r * cb * (s * s + c * c) - r * (c * cb + s * sb))) by (unfold a_plus, m_B; vring).
+    with (r * cb * (r * cb * (s * s + c * c) - r * (c * cb + s * sb))) by (subst a_plus m_B; unfold power, dist2, norm2, dot, vsub, vscale, vzero; simpl; field).
   rewrite Q. assert (0 < r * cb) by nra.
   assert (0 < r * cb * 1 - r * (c * cb + s * sb)) by nra. nra.
 Qed.
@@ -109,7 +109,7 @@ Proof.
   assert (Q : 998 / 1000 <= sqrt 2 / sqrt (2 + 1/12 * (1/12))).
   { rewrite <- sqrt_div by lra. apply sq_le; [apply sqrt_pos|]. rewrite sqrt_sqrt by lra. lra. }
   set (k := sqrt 2 / sqrt (2 + 1/12 * (1/12))) in *.
-  assert (P : 0 < r * r * cos beta / cos a) by (apply Rdiv_lt_0_compat; [nra|lra]).
+  assert (P : 0 < r * r * cos beta / cos a) by (apply Rdiv_lt_0_compat; [repeat apply Rmult_lt_0_compat|]; assumption).
   assert (cos beta * cos a < cos lambda * k) by nra. nra.
 Qed.
 
