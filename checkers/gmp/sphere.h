@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sphere of a cell, or the diametral ball of a subsegment, in exact integers.
+//
+// With the corner a as origin, u = b-a, w = c-a and d = x-a, the smallest sphere through a, b, c has its centre at
+//     z0 - a = V / (2 D),   D = |u x w|^2,   V = |u|^2 (w x n') + |w|^2 (n' x u),   n' = u x w,
+// and the power of x is |d|^2 - d.V/D. Expanding the triple products,
+//     V = |w|^2 (|u|^2 - u.w) u + |u|^2 (|w|^2 - u.w) w,   D = |u|^2 |w|^2 - (u.w)^2.
+// An offset t along n adds 2 t D n to V. Only D |d|^2 - d.V is computed: its sign is that of the power.
+#pragma once
+
+#include "certificate.h"
+
+__extension__ typedef __int128 Wide;  // squares of grid lengths
+
+class Sphere {
+public:
+    explicit Sphere(const Certificate& certificate) : c_(certificate), points_(certificate.points) {}
+
+    void setCell(const Cell& cell);
+    void setBall(std::uint32_t a, std::uint32_t b);
+    // The sign of the power of x.
+    int power(std::uint32_t x);
+    // After power(x): whether x is in the plane of a facet that contains the sphere's first corner.
+    bool inPlane(std::uint32_t facet);
+    // After power(x): power / radius^2, rounded.
+    double relativePower();
+
+    // Conservative bounds on the grid of Points: the centre lies in [centre, centre + 2], the square of the radius is at most radius2.
+    void computeBounds();
+    bool boundsFit() const { return fits_; }  // in 64 and 128 bits; else only the long ones are set
+    std::int64_t centre[3] = {};
+    Wide radius2 = 0;
+    Integer longCentre[3], longRadius2;
+
+private:
+    void addOffset(const Cell& cell);
+
+    const Certificate& c_;
+    const Points& points_;
+    std::uint32_t origin_ = 0;
+    Vector u_, w_, v_, d_;
+    Integer uu_, ww_, uw_, alpha_, beta_, denominator_, value_, square_, other_;
+    Integer scale_, extra_, q_;  // without a common denominator: u, w are true differences times scale
+    bool fits_ = false;
+};

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Strict streaming reader of lines and fields (section 1 of the format).
+#pragma once
+
+#include "input.h"
+#include "points.h"
+
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+struct evp_md_ctx_st;
+
+struct Malformed {
+    std::string file;
+    std::uint64_t line, column;
+    std::string code, message;
+};
+
+// SHA-256, incremental.
+class Sha256 {
+public:
+    Sha256();
+    ~Sha256();
+    Sha256(const Sha256&) = delete;
+    Sha256& operator=(const Sha256&) = delete;
+    void add(const char* bytes, std::size_t size);
+    std::string hexadecimal();
+
+private:
+    evp_md_ctx_st* context_;
+};
+
+class Text {
+public:
+    explicit Text(const std::string& path);
+
+    // Lines.
+    std::uint64_t line() const { return line_; }
+    void begin();                       // the next line; E-TRUNCATED when there is none
+    void expectEnd();                   // E-TRAILING when there is one
+    // Begins a line whose first field is `keyword`. A first field among `miscounted` means that
+    // records are missing or too many ("#" stands for a decimal digit).
+    void begin(std::string_view keyword, std::initializer_list<std::string_view> miscounted = {});
+    // Begins a line that starts with a number.
+    void beginNumber(std::initializer_list<std::string_view> miscounted);
+
+    // Fields.
+    std::string_view word();
+    std::uint32_t index();
+    std::uint32_t indexBelow(std::uint64_t bound, const char* what);
+    void integer(IntegerStore& store, char terminator = ' ');
+    void space();
+    void slash();
+    bool atEnd() const { return cursor_ == stop_; }
+    void finish();
+    std::string_view rest();            // text of single spaces and printable characters, up to the end
+    const char* mark() const { return cursor_; }
+    [[noreturn]] void fail(const char* code, const std::string& message) const;
+    [[noreturn]] void failAt(const char* where, const char* code, const std::string& message) const;
+
+    // Digests. The text digest covers all lines before the current one.
+    std::string digestBeforeThisLine();
+    void startComplex(const std::string& comparePath);  // from the current line on
+    std::string endComplex();                           // up to and including the current line
+    std::uint64_t firstDifference() const { return differenceLine_; }  // 0: none
+
+private:
+    bool load();
+    void flush(const char* upTo);
+    void compare(const char* bytes, std::size_t size);
+    void badKeyword(std::string_view expected, std::initializer_list<std::string_view> miscounted);
+    [[noreturn]] void truncated();
+
+    std::string path_;
+    ByteSource source_;
+    std::vector<char> buffer_;
+    std::size_t lineStart_ = 0, lineStop_ = 0, filled_ = 0, flushed_ = 0;
+    bool sourceDone_ = false, started_ = false;
+    const char* cursor_ = nullptr;
+    const char* stop_ = nullptr;
+    std::uint64_t line_ = 0;
+
+    Sha256 textDigest_;
+    std::unique_ptr<Sha256> complexDigest_;
+    std::unique_ptr<ByteSource> other_;
+    std::string otherPath_;
+    std::vector<char> otherBytes_;
+    std::uint64_t compareLine_ = 0, differenceLine_ = 0;
+    std::vector<mp_limb_t> limbs_;
+};
