@@ -226,17 +226,21 @@ int planar_orientation(Projection projection, const Point& a, const Point& b, co
   return sign != undecided ? sign * projection.sign : exact_planar_orientation(projection, a, b, c);
 }
 
+int planar_compare_axis(Projection projection, int which, const Point& a, const Point& b) {
+  // A negative sign exchanges the axes, so that orientation is that of the pair (axis 0, axis 1).
+  const int axis = (which == 0) == (projection.sign > 0) ? first_axis[projection.axis] : second_axis[projection.axis];
+  if (a.high(axis) != b.high(axis)) return a.high(axis) < b.high(axis) ? -1 : 1;
+  Workspace& s = workspace();
+  const int exponent = std::max(a.exponent(), b.exponent());
+  mpz_mul_2exp(s.t[0].get_mpz_t(), a.numerator(axis).get_mpz_t(), exponent - a.exponent());
+  mpz_mul_2exp(s.t[1].get_mpz_t(), b.numerator(axis).get_mpz_t(), exponent - b.exponent());
+  const int sign = cmp(s.t[0], s.t[1]);
+  return (sign > 0) - (sign < 0);
+}
+
 int planar_compare(Projection projection, const Point& a, const Point& b) {
-  for (int axis : {first_axis[projection.axis], second_axis[projection.axis]}) {
-    if (a.high(axis) != b.high(axis)) return a.high(axis) < b.high(axis) ? -1 : 1;
-    Workspace& s = workspace();
-    const int exponent = std::max(a.exponent(), b.exponent());
-    mpz_mul_2exp(s.t[0].get_mpz_t(), a.numerator(axis).get_mpz_t(), exponent - a.exponent());
-    mpz_mul_2exp(s.t[1].get_mpz_t(), b.numerator(axis).get_mpz_t(), exponent - b.exponent());
-    const int sign = cmp(s.t[0], s.t[1]);
-    if (sign != 0) return sign < 0 ? -1 : 1;
-  }
-  return 0;
+  const int sign = planar_compare_axis(projection, 0, a, b);
+  return sign != 0 ? sign : planar_compare_axis(projection, 1, a, b);
 }
 
 int planar_in_circle(Projection projection, const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -30,6 +30,9 @@ int planar_orientation(Projection projection, const Point& a, const Point& b, co
 /// Lexicographic order of the projected points: -1, 0, +1. Equal points of the plane, and only these, compare 0.
 int planar_compare(Projection projection, const Point& a, const Point& b);
 
+/// The same along one axis of the projected plane: which = 0 or 1. (Axes are cyclic successors of projection.axis.)
+int planar_compare_axis(Projection projection, int which, const Point& a, const Point& b);
+
 /// +1 if d lies strictly inside the circle through a, b, c, -1 strictly outside, 0 on it.
 /// Preconditions: coplanar as above; a, b, c counter-clockwise.
 int planar_in_circle(Projection projection, const Point& a, const Point& b, const Point& c, const Point& d);

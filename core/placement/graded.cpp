@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/graded.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "core/placement/point_index.h"
+
+namespace confidel {
+
+BufferSizes graded_sizes(const Complex& complex, const Features& features) {
+  BufferSizes sizes;
+  const std::size_t vertices = complex.vertices.size();
+  sizes.radius.resize(vertices);
+  sizes.vertex_angle.assign(vertices, std::numbers::pi);
+  for (std::size_t v = 0; v < vertices; ++v) sizes.radius[v] = std::min(1.0, features.vertex_distance[v] / 3);
+  sizes.offset.resize(complex.segments.size());
+  sizes.dihedral = features.dihedral_angle;
+  for (std::size_t s = 0; s < complex.segments.size(); ++s) {
+    double d = features.segment_distance[s] / 3;
+    for (int end = 0; end < 2; ++end) {
+      const VertexId v = complex.segments[s][end];
+      const double theta = features.segment_angle[s][end], omega = features.facet_angle[s][end];
+      const double angle = std::min({theta / 3, 0.7 * omega, std::numbers::pi / 6});
+      d = std::min(d, sizes.radius[v] * std::sin(angle));
+      sizes.vertex_angle[v] = std::min({sizes.vertex_angle[v], theta, omega});
+    }
+    sizes.offset[s] = d;
+  }
+  return sizes;
+}
+
+namespace {
+
+struct Ball {
+  Double3 centre;
+  double radius;
+};
+
+// The smallest sphere through a, b, c, inflated by a bound on its error: for pruning only.
+Ball circumscribed_ball(const Point& a, const Point& b, const Point& c, Double3* offset = nullptr) {
+  const Double3 u = approximate_difference(b, a), w = approximate_difference(c, a), n = cross(u, w);
+  const double uu = dot(u, u), ww = dot(w, w), nn = dot(n, n);
+  const Double3 z = (uu / (2 * nn)) * cross(w, n) + (ww / (2 * nn)) * cross(n, u);
+  if (offset != nullptr) *offset = z;
+  // The centre's relative error is about 20 u / sin^2 of the angle at a.
+  const double sine_square = nn / (uu * ww);
+  const double inflation = 1e-12 + 1e-14 / sine_square;
+  Ball ball{a.approximate() + z, length(z) * (1 + inflation) + 1e-15};
+  if (!std::isfinite(ball.radius) || inflation > 1) ball = {Double3{0, 0, 0}, 1e10};  // everything
+  return ball;
+}
+
+class Refinement {
+ public:
+  Refinement(const Complex& complex, const Features& features, const Limits& limits, Progress& progress)
+      : complex_(complex), limits_(limits), progress_(progress), zones_(complex, graded_sizes(complex, features)), all_(make_index()) {
+    for (const Facet& facet : complex.facets) {
+      projections_.push_back(projection_of(facet.normal));
+      double reach = 0;
+      for (const auto& [a, c] : facet.boundary)
+        reach = std::max(reach, length(approximate_difference(complex.vertices[a], complex.vertices[facet.frame[0]])));
+      reach_.push_back(reach);
+    }
+    region_sizes_.assign(complex.facets.size(), 0);
+  }
+
+  Placement run() {
+    index_new_points();
+    for (;;) {
+      settle_buffer_zones();
+      if (!refine_regions()) break;
+    }
+    check_static_cells();
+    return zones_.result();
+  }
+
+ private:
+  PointIndex make_index() const {
+    PointIndex::Position low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+    for (const Point& p : complex_.vertices)
+      for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], p.approximate(axis));
+        high[axis] = std::max(high[axis], p.approximate(axis));
+      }
+    return PointIndex(low, high);
+  }
+
+  void index_new_points() {
+    for (int id = static_cast<int>(all_.size()); id < zones_.point_count(); ++id) all_.insert(id, zones_.point(id).approximate());
+    progress_.at("placing points", zones_.point_count());
+    if (limits_.max_points > 0 && zones_.point_count() > limits_.max_points) throw LimitReached("max-points", zones_.point_count());
+    if (progress_.stop_requested(zones_.point_count())) throw LimitReached("time-limit", zones_.point_count());
+  }
+
+  // An index of the points since a given one; cells that were free before need to be tested against these only.
+  PointIndex recent_points(int since) const {
+    PointIndex recent = make_index();
+    for (int id = since; id < zones_.point_count(); ++id) recent.insert(id, zones_.point(id).approximate());
+    return recent;
+  }
+
+  // theory.md section 4: power < 0, or = 0 off the plane; and, so that ties do not cross constraints (L18b), = 0 in the plane
+  // beyond the constraint (first, second), if there is one.
+  bool encroached(const PointIndex& index, Projection projection, const Point& a, const Point& b, const Point& c,
+                  const Point* first = nullptr, const Point* second = nullptr) const {
+    const Ball ball = circumscribed_ball(a, b, c);
+    return index.visit_ball(ball.centre, ball.radius, [&](int id) {
+      const Point& p = zones_.point(id);
+      if (&p == &a || &p == &b || &p == &c) return false;
+      const int power = diametral_power(a, b, c, p);
+      if (power != 0) return power < 0;
+      if (orientation(a, b, c, p) != 0) return true;
+      return first != nullptr && planar_orientation(projection, *first, *second, p) < 0;
+    });
+  }
+
+  bool segment_encroached(const PointIndex& index, const Point& a, const Point& b) const {
+    const Double3 half = 0.5 * approximate_difference(b, a);
+    return index.visit_ball(a.approximate() + half, length(half) * (1 + 1e-12) + 1e-15, [&](int id) {
+      const Point& p = zones_.point(id);
+      return &p != &a && &p != &b && diametral_power(a, b, p) <= 0;
+    });
+  }
+
+  bool rectangle_encroached(const PointIndex& index, const BufferZones::Row& row, const BufferZones::Protector& protector, std::size_t i) const {
+    const Point *a = &zones_.point(row.stations[i].point), *b = &zones_.point(row.stations[i + 1].point);
+    if (!protector.left) std::swap(a, b);
+    return encroached(index, projections_[protector.facet], *a, *b, zones_.point(protector.points[i]), a, b);
+  }
+
+  // Rules (0), (i) and (ii), until nothing changes.
+  void settle_buffer_zones() {
+    for (;;) {
+      const PointIndex recent = recent_points(buffer_seen_);
+      buffer_seen_ = zones_.point_count();
+      test_rows(recent);
+      test_sectors(recent);
+      test_region_boundaries();
+      if (zones_.apply_requests() == 0) return;
+      index_new_points();
+    }
+  }
+
+  void test_rows(const PointIndex& recent) {
+    auto& rows = zones_.rows();
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      auto& row = rows[r];
+      const std::size_t intervals = row.stations.size() - 1;
+      for (auto& protector : row.protectors)
+        for (std::size_t i = 0; i < intervals; ++i) {
+          const bool bad = rectangle_encroached(protector.free[i] ? recent : all_, row, protector, i);
+          protector.free[i] = !bad;
+          if (bad) zones_.request_row(static_cast<int>(r), static_cast<int>(i));
+        }
+      if (!row.protectors.empty()) continue;
+      for (std::size_t i = 0; i < intervals; ++i) {
+        const bool bad = segment_encroached(row.free[i] ? recent : all_, zones_.point(row.stations[i].point), zones_.point(row.stations[i + 1].point));
+        row.free[i] = !bad;
+        if (bad) zones_.request_row(static_cast<int>(r), static_cast<int>(i));
+      }
+    }
+  }
+
+  void test_sectors(const PointIndex& recent) {
+    auto& sectors = zones_.sectors();
+    for (std::size_t s = 0; s < sectors.size(); ++s) {
+      auto& sector = sectors[s];
+      for (std::size_t i = 0; i + 1 < sector.arc.size(); ++i) {
+        const bool bad = encroached(sector.free[i] ? recent : all_, projections_[sector.facet], complex_.vertices[sector.vertex],
+                                    zones_.point(sector.arc[i].point), zones_.point(sector.arc[i + 1].point));
+        sector.free[i] = !bad;
+        if (bad) zones_.request_sector(static_cast<int>(s), static_cast<int>(i));
+      }
+    }
+  }
+
+  void test_region_boundaries() {
+    for (std::size_t f = 0; f < complex_.facets.size(); ++f) {
+      Region& region = zones_.region(static_cast<FacetId>(f));
+      if (region.vertex_count() == region_sizes_[f]) continue;
+      region_sizes_[f] = region.vertex_count();
+      for (const auto& ends : region.encroached_boundary()) zones_.request_boundary(static_cast<FacetId>(f), ends);
+    }
+  }
+
+  class Environment : public RegionEnvironment {
+   public:
+    Environment(Refinement& owner, FacetId facet, const PointIndex& recent) : owner_(owner), facet_(facet), recent_(recent) {}
+    bool encroached(const Point& a, const Point& b, const Point& c, bool only_new) override {
+      return owner_.encroached(only_new ? recent_ : owner_.all_, owner_.projections_[facet_], a, b, c);
+    }
+    Point circumcentre(const Point& a, const Point& b, const Point& c) override {
+      Double3 offset;
+      circumscribed_ball(a, b, c, &offset);
+      const double radius = length(offset);
+      // eta R / 4 with eta = 1/16 (theory.md section 5). From the facet's origin the numerators stay short; next to
+      // features that are tiny against the facet only a close base is accurate enough.
+      const PlaneFrame& frame = owner_.zones_.frame(facet_);
+      const Point& origin = owner_.complex_.vertices[owner_.complex_.facets[facet_].frame[0]];
+      owner_.placed_.fetch_add(1, std::memory_order_relaxed);
+      if (radius > owner_.reach_[facet_] * 0x1p-36) return frame.round(origin, approximate_difference(a, origin) + offset, radius / 64);
+      return frame.round(a, offset, radius / 64);
+    }
+    bool stopped() override {
+      const long count = owner_.placed_.load(std::memory_order_relaxed) + owner_.base_count_;
+      if (owner_.limits_.max_points > 0 && count > owner_.limits_.max_points) return true;
+      return owner_.progress_.stop_requested(count);
+    }
+
+   private:
+    Refinement& owner_;
+    FacetId facet_;
+    const PointIndex& recent_;
+  };
+
+  // Rule (iii). Facets are refined independently against the points known at the beginning; returns whether anything changed.
+  bool refine_regions() {
+    const PointIndex recent = recent_points(region_seen_);
+    region_seen_ = zones_.point_count();
+    base_count_ = zones_.point_count();
+    placed_ = 0;
+    const int facets = static_cast<int>(complex_.facets.size());
+    std::vector<Region::Refinement> refinements(facets);
+    tbb::task_arena arena(std::max(1, limits_.threads));
+    arena.execute([&] {
+      tbb::parallel_for(0, facets, [&](int f) {
+        Environment environment(*this, f, recent);
+        refinements[f] = zones_.region(f).refine(environment);
+      });
+    });
+    bool changed = false;
+    for (int f = 0; f < facets; ++f) {
+      if (refinements[f].stuck) throw StrategyFailed("graded: a circumcentre was rounded onto an existing point");
+      zones_.adopt_new_vertices(f);
+      changed |= refinements[f].inserted > 0;
+      for (const auto& ends : refinements[f].blocking) zones_.request_boundary(f, ends);
+    }
+    changed |= zones_.apply_requests() > 0;
+    index_new_points();
+    return changed;
+  }
+
+  // T cells are static: nothing can be split there, the sizes must have been right.
+  void check_static_cells() const {
+    for (const auto& sector : zones_.sectors_view()) {
+      if (sector.full) continue;
+      for (int side : {0, 1}) {
+        const Point &v = complex_.vertices[sector.vertex], &m = zones_.point(zones_.projection_point(sector, side));
+        const Point& a = zones_.point(side == 0 ? sector.arc.front().point : sector.arc.back().point);
+        const Point *first = side == 0 ? &v : &m, *second = side == 0 ? &m : &v;
+        if (encroached(all_, projections_[sector.facet], v, m, a, first, second))
+          throw StrategyFailed("graded: the triangle at the end of an edge is encroached (vertex " + std::to_string(sector.vertex) + ")");
+      }
+    }
+  }
+
+  const Complex& complex_;
+  const Limits& limits_;
+  Progress& progress_;
+  BufferZones zones_;
+  PointIndex all_;
+  std::vector<Projection> projections_;
+  std::vector<double> reach_;
+  std::vector<int> region_sizes_;
+  std::atomic<long> placed_{0};
+  long base_count_ = 0;
+  int buffer_seen_ = 0, region_seen_ = 0;
+};
+
+}  // namespace
+
+Placement place_graded(const Complex& complex, const Features& features, const Limits& limits, Progress& progress) {
+  Refinement refinement(complex, features, limits, progress);
+  return refinement.run();
+}
+
+}  // namespace confidel

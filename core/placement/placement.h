@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a strategy hands on: Steiner points on their carriers and the cells that they form. Exact; nothing in it is believed by the
+// verdict, which is the checker's.
+#pragma once
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/complex/complex.h"
+
+namespace confidel {
+
+/// certificate-format.md section 3: the kind of a Steiner point. Carrier: a segment (projection, edge) or a facet (the others).
+enum class PointKind : unsigned char { vertex, projection, edge, offset, arc, interior };
+
+/// Kinds of cells: T at an edge's end, spoke S, rectangle R (two triangles), any other triangle C.
+enum class CellKind : unsigned char { T, S, R, C };
+
+struct PlacedPoint {
+  Point position;
+  PointKind kind = PointKind::vertex;
+  int carrier = -1;
+};
+
+struct PlacedCell {
+  FacetId facet = 0;
+  std::array<int, 3> corners{};
+  CellKind kind = CellKind::C;
+  int box = -1;
+  /// The sphere's offset along the facet's normal (certificate-format.md section 3), in the input's coordinates; zero: none.
+  mpq_class offset;
+};
+
+struct PlacedRow {
+  SegmentId segment = 0;
+  std::vector<int> points;  ///< all points carried by the segment, from its first vertex to its second
+  struct Protector {
+    FacetId facet;
+    bool left;  ///< on the left of the segment (first to second vertex), seen from the facet's positive side
+    std::vector<int> points;
+  };
+  std::vector<Protector> protectors;
+};
+
+/// Points 0 .. vertices-1 are the complex's vertices.
+struct Placement {
+  std::vector<PlacedPoint> points;
+  std::vector<PlacedCell> cells;
+  std::vector<PlacedRow> rows;                   ///< by segment
+  std::vector<std::array<int, 3>> hanging;       ///< segment, a, b: in order along the segment, by segment
+};
+
+/// Limits and interaction of a long computation.
+struct Limits {
+  long max_points = 0;       ///< 0: none
+  double time_limit = 0;     ///< seconds; 0: none
+  std::size_t memory_limit = 0;  ///< bytes of resident memory; 0: none
+  int threads = 1;
+};
+
+/// Thrown when a limit is reached or a request to stop came: the verdict is UNDECIDED.
+class LimitReached : public std::runtime_error {
+ public:
+  LimitReached(const std::string& why, long points) : std::runtime_error(why), points_reached(points) {}
+  long points_reached;
+};
+
+/// Thrown when a strategy finds that it cannot go on on this input (never a wrong answer): UNDECIDED.
+class StrategyFailed : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Called now and then with the stage and the number of points; may throw LimitReached. Must be fast when it has nothing to say.
+class Progress {
+ public:
+  virtual ~Progress() = default;
+  virtual void at(const char* stage, long points) = 0;
+  /// True when work should stop; safe to call from any thread.
+  virtual bool stop_requested(long points) = 0;
+};
+
+}  // namespace confidel

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The certificate's writer: docs/certificate-format.md, section 3.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/complex/complex.h"
+#include "core/placement/placement.h"
+
+namespace confidel {
+
+struct CertificateSummary {
+  std::uint64_t text_bytes = 0;  ///< uncompressed
+  std::uint64_t file_bytes = 0;
+  std::string complex_sha256;
+};
+
+/// KEY TEXT pairs without meaning: strategy, seed, options, tool.
+using CertificateNotes = std::vector<std::pair<std::string, std::string>>;
+
+/// Writes the certificate for the claim `conforms`; compressed if the path ends in .zst. Written to a temporary name beside
+/// the path and renamed when complete: the path never holds half a certificate. Same arguments, same bytes.
+/// Throws FileError.
+CertificateSummary write_certificate(const std::string& path, const Complex& complex, const Placement& placement,
+                                     const CertificateNotes& notes);
+
+}  // namespace confidel
