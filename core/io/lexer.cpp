@@ -11,7 +11,8 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 }  // namespace
 
-Lexer::Lexer(std::string_view text, Dialect dialect) : text_(text), dialect_(dialect) {
+Lexer::Lexer(std::string_view text, Dialect dialect, int first_line)
+    : text_(text), dialect_(dialect), first_line_(first_line), line_(first_line - 1) {
   if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
 }
 
@@ -57,7 +58,7 @@ bool Lexer::split_line() {
 }
 
 Lexer::End Lexer::end_of_text() const {
-  End end{1, 1};
+  End end{first_line_, 1};
   std::size_t begin = 0;
   std::size_t i = 0;
   while (i < text_.size()) {

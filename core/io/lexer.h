@@ -25,7 +25,7 @@ struct Dialect {
 class Lexer {
  public:
   /// The text must outlive the lexer. Lines end with LF, CRLF or CR; a UTF-8 byte order mark is skipped.
-  Lexer(std::string_view text, Dialect dialect);
+  Lexer(std::string_view text, Dialect dialect, int first_line = 1);
 
   /// Goes to the next line that has fields; false at the end of the text.
   bool next();
@@ -46,7 +46,8 @@ class Lexer {
   std::string_view text_;
   Dialect dialect_;
   std::size_t position_ = 0;
-  int line_ = 0;
+  int first_line_;
+  int line_;
   std::vector<Field> fields_;
 };
 

@@ -17,12 +17,12 @@ struct Header {
   Place dimension_place;
 };
 
-Header read_header(TextParser& parser) {
+Header read_header(TextParser& parser, int least_dimension) {
   parser.need("the vertices' header (count, dimension, attributes, markers)");
   parser.need_fields(4, 4, "number of vertices, dimension, number of attributes, number of markers");
   Header header;
   header.count = parser.count(0, "number of vertices");
-  header.dimension = parser.choice(1, "dimension", 2, 3);
+  header.dimension = parser.choice(1, "dimension", least_dimension, 3);
   header.attributes = parser.choice(2, "number of attributes", 0, 1000);
   header.markers = parser.choice(3, "number of markers", 0, 1);
   header.dimension_place = parser.place(1);
@@ -65,8 +65,8 @@ void read_rows(TextParser& parser, const Header& header, Input& input) {
 
 }  // namespace
 
-void read_nodes(const Source& source, TextParser& parser, Input& input) {
-  const Header header = read_header(parser);
+void read_nodes(const Source& source, TextParser& parser, int least_dimension, Input& input) {
+  const Header header = read_header(parser, least_dimension);
   input.dimension = header.dimension;
   input.vertex_file = source.file;
   if (header.count > 0) {
@@ -83,7 +83,7 @@ void read_nodes(const Source& source, TextParser& parser, Input& input) {
                                 source.file, header.dimension_place.line, error.what()));
   }
   TextParser node_parser(companion, nodes.text, parser.problems());
-  const Header node_header = read_header(node_parser);
+  const Header node_header = read_header(node_parser, 2);
   if (node_header.dimension != header.dimension) {
     parser.problems().stop(
         "E-VALUE", node_header.dimension_place,

@@ -10,6 +10,6 @@ namespace confidel::io {
 
 /// Reads the node section, from the companion BASENAME.node if the section is empty.
 /// Sets dimension, first_index, has_markers, vertices and vertex_file.
-void read_nodes(const Source& source, TextParser& parser, Input& input);
+void read_nodes(const Source& source, TextParser& parser, int least_dimension, Input& input);
 
 }  // namespace confidel::io

@@ -181,6 +181,7 @@ Input read_obj(const Source& source) {
   input.first_index = 1;
   input.triangle_soup = true;
   ObjReader(source, problems, input).read();
+  problems.sort_by_line();
   problems.throw_if_any();
   return input;
 }

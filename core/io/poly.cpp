@@ -178,7 +178,7 @@ Input read_poly(const Source& source) {
   TextParser parser(source.file, source.text, problems);
   Input input;
   input.file = source.file;
-  read_nodes(source, parser, input);
+  read_nodes(source, parser, 2, input);
   if (input.dimension == 2) {
     read_segments(parser, input);
   } else {
@@ -194,10 +194,7 @@ Input read_smesh(const Source& source) {
   TextParser parser(source.file, source.text, problems);
   Input input;
   input.file = source.file;
-  read_nodes(source, parser, input);
-  if (input.dimension != 3) {
-    problems.stop("E-VALUE", {source.file, 0, 0}, "a .smesh file has dimension 3: use .poly for planar inputs");
-  }
+  read_nodes(source, parser, 3, input);
   read_facets(parser, input, read_simple_facet);
   read_holes_and_regions(parser, input);
   problems.throw_if_any();

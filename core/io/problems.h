@@ -19,6 +19,8 @@ class Problems {
   void add(const std::string& code, const Place& place, const std::string& message);
   /// Records a problem after which the rest of the file has no meaning, and throws InputError.
   [[noreturn]] void stop(const std::string& code, const Place& place, const std::string& message);
+  /// For readers that go over a file twice: problems in the order of its lines.
+  void sort_by_line();
   /// Throws InputError if anything was recorded.
   void throw_if_any() const;
 

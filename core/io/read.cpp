@@ -16,11 +16,9 @@ struct Format {
   Input (*read)(const io::Source&);
 };
 
-constexpr Format formats[] = {{".poly", io::read_poly},
-                              {".smesh", io::read_smesh},
-                              {".off", io::read_off},
-                              {".obj", io::read_obj},
-                              {".edg", io::read_edg}};
+constexpr Format formats[] = {{".poly", io::read_poly}, {".smesh", io::read_smesh}, {".off", io::read_off},
+                              {".obj", io::read_obj},   {".edg", io::read_edg},     {".stl", io::read_stl},
+                              {".ply", io::read_ply},   {".mesh", io::read_medit}};
 
 }  // namespace
 

@@ -17,8 +17,8 @@ std::string quoted(std::string_view text) {
   return result + "'";
 }
 
-TextParser::TextParser(std::string file, std::string_view text, Problems& problems, Dialect dialect)
-    : file_(std::move(file)), problems_(problems), lexer_(text, dialect) {}
+TextParser::TextParser(std::string file, std::string_view text, Problems& problems, Dialect dialect, int first_line)
+    : file_(std::move(file)), problems_(&problems), lexer_(text, dialect, first_line) {}
 
 Place TextParser::place(std::size_t field) const {
   const std::vector<Field>& fields = lexer_.fields();
@@ -34,21 +34,21 @@ Place TextParser::end_of_text() const {
 
 void TextParser::need(const std::string& expected) {
   if (next()) return;
-  problems_.stop("E-TRUNCATED", end_of_text(),
-                 fmt::format("the file ends where {} is expected: restore the rest, or correct the counts", expected));
+  problems_->stop("E-TRUNCATED", end_of_text(),
+                  fmt::format("the file ends where {} is expected: restore the rest, or correct the counts", expected));
 }
 
 void TextParser::need_row(const char* section, int done, int total) {
   if (next()) return;
-  problems_.stop(
+  problems_->stop(
       "E-TRUNCATED", end_of_text(),
       fmt::format("the file ends after {} of {} {}: restore the rest, or correct the count", done, total, section));
 }
 
 void TextParser::expect_end(const std::string& why) {
   if (!next()) return;
-  problems_.stop("E-TRAILING", place(0),
-                 fmt::format("{} after the end, {}: remove it, or correct the counts", quoted(text(0)), why));
+  problems_->stop("E-TRAILING", place(0),
+                  fmt::format("{} after the end, {}: remove it, or correct the counts", quoted(text(0)), why));
 }
 
 bool TextParser::has_fields(std::size_t least, std::size_t most, std::string_view layout) {
@@ -56,14 +56,14 @@ bool TextParser::has_fields(std::size_t least, std::size_t most, std::string_vie
   const std::string wanted = least == most       ? fmt::format("{}", least)
                              : most == unlimited ? fmt::format("at least {}", least)
                                                  : fmt::format("{} to {}", least, most);
-  problems_.add("E-FIELDS", place(size() < least ? size() : most),
-                fmt::format("{} field{} where {} {} expected: {}", size(), size() == 1 ? "" : "s", wanted,
-                            wanted == "1" ? "is" : "are", layout));
+  problems_->add("E-FIELDS", place(size() < least ? size() : most),
+                 fmt::format("{} field{} where {} {} expected: {}", size(), size() == 1 ? "" : "s", wanted,
+                             wanted == "1" ? "is" : "are", layout));
   return false;
 }
 
 void TextParser::need_fields(std::size_t least, std::size_t most, std::string_view layout) {
-  if (!has_fields(least, most, layout)) problems_.throw_if_any();
+  if (!has_fields(least, most, layout)) problems_->throw_if_any();
 }
 
 double TextParser::real(std::size_t field, const char* name) {
@@ -84,7 +84,7 @@ double TextParser::real(std::size_t field, const char* name) {
     default:
       reason = "is not a decimal number";
   }
-  problems_.add("E-NUMBER", place(field), fmt::format("{} {} {}", name, quoted(text(field)), reason));
+  problems_->add("E-NUMBER", place(field), fmt::format("{} {} {}", name, quoted(text(field)), reason));
   return 0;
 }
 
@@ -98,9 +98,10 @@ int TextParser::integer(std::size_t field, const char* name) {
   int value = 0;
   const NumberStatus status = parse_integer(text(field), value);
   if (status == NumberStatus::ok) return value;
-  problems_.add("E-NUMBER", place(field),
-                fmt::format("{} {} {}", name, quoted(text(field)),
-                            status == NumberStatus::overflow ? "does not fit in 32 bits" : "is not a decimal integer"));
+  problems_->add(
+      "E-NUMBER", place(field),
+      fmt::format("{} {} {}", name, quoted(text(field)),
+                  status == NumberStatus::overflow ? "does not fit in 32 bits" : "is not a decimal integer"));
   return 0;
 }
 
@@ -108,25 +109,25 @@ int TextParser::count(std::size_t field, const char* name) {
   int value = 0;
   const NumberStatus status = parse_integer(text(field), value);
   if (status == NumberStatus::overflow || (status == NumberStatus::ok && value < 0)) {
-    problems_.stop(
+    problems_->stop(
         "E-COUNT", place(field),
         fmt::format("{} {} is not between 0 and {}", name, quoted(text(field)), std::numeric_limits<int>::max()));
   }
   if (status == NumberStatus::ok) return value;
-  problems_.stop("E-NUMBER", place(field), fmt::format("{} {} is not a decimal integer", name, quoted(text(field))));
+  problems_->stop("E-NUMBER", place(field), fmt::format("{} {} is not a decimal integer", name, quoted(text(field))));
 }
 
 int TextParser::choice(std::size_t field, const char* name, int least, int most) {
   int value = 0;
   const NumberStatus status = parse_integer(text(field), value);
   if (status == NumberStatus::malformed) {
-    problems_.stop("E-NUMBER", place(field), fmt::format("{} {} is not a decimal integer", name, quoted(text(field))));
+    problems_->stop("E-NUMBER", place(field), fmt::format("{} {} is not a decimal integer", name, quoted(text(field))));
   }
   if (status == NumberStatus::ok && value >= least && value <= most) return value;
-  problems_.stop("E-VALUE", place(field),
-                 least == most
-                     ? fmt::format("{} must be {}, not {}", name, least, quoted(text(field)))
-                     : fmt::format("{} must be from {} to {}, not {}", name, least, most, quoted(text(field))));
+  problems_->stop("E-VALUE", place(field),
+                  least == most
+                      ? fmt::format("{} must be {}, not {}", name, least, quoted(text(field)))
+                      : fmt::format("{} must be from {} to {}, not {}", name, least, most, quoted(text(field))));
 }
 
 int TextParser::row_index(std::size_t field, const char* row, int expected) {
@@ -134,13 +135,13 @@ int TextParser::row_index(std::size_t field, const char* row, int expected) {
   const NumberStatus status = parse_integer(text(field), value);
   if (status == NumberStatus::ok && value == expected) return expected + 1;
   if (status == NumberStatus::ok) {
-    problems_.add("E-INDEX", place(field),
-                  fmt::format("{} {} where {} is next: rows are numbered one by one from the first vertex's number",
-                              row, quoted(text(field)), expected));
+    problems_->add("E-INDEX", place(field),
+                   fmt::format("{} {} where {} is next: rows are numbered one by one from the first vertex's number",
+                               row, quoted(text(field)), expected));
     // Go on from here, so that one missing row is one problem.
     return value < std::numeric_limits<int>::max() ? value + 1 : value;
   }
-  problems_.add("E-NUMBER", place(field), fmt::format("{} {} is not a decimal integer", row, quoted(text(field))));
+  problems_->add("E-NUMBER", place(field), fmt::format("{} {} is not a decimal integer", row, quoted(text(field))));
   return expected + 1;
 }
 
@@ -148,18 +149,18 @@ int TextParser::vertex(std::size_t field, int first_index, std::size_t vertex_co
   int value = 0;
   const NumberStatus status = parse_integer(text(field), value);
   if (status == NumberStatus::malformed) {
-    problems_.add("E-NUMBER", place(field), fmt::format("vertex {} is not a decimal integer", quoted(text(field))));
+    problems_->add("E-NUMBER", place(field), fmt::format("vertex {} is not a decimal integer", quoted(text(field))));
     return 0;
   }
   const long long index = static_cast<long long>(value) - first_index;
   if (status == NumberStatus::ok && index >= 0 && index < static_cast<long long>(vertex_count)) {
     return static_cast<int>(index);
   }
-  problems_.add("E-INDEX", place(field),
-                vertex_count == 0
-                    ? fmt::format("vertex {} does not exist: there are none", quoted(text(field)))
-                    : fmt::format("vertex {} does not exist: they are numbered from {} to {}", quoted(text(field)),
-                                  first_index, first_index + static_cast<long long>(vertex_count) - 1));
+  problems_->add("E-INDEX", place(field),
+                 vertex_count == 0
+                     ? fmt::format("vertex {} does not exist: there are none", quoted(text(field)))
+                     : fmt::format("vertex {} does not exist: they are numbered from {} to {}", quoted(text(field)),
+                                   first_index, first_index + static_cast<long long>(vertex_count) - 1));
   return 0;
 }
 

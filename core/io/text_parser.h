@@ -21,7 +21,7 @@ class TextParser {
   /// For records without a largest number of fields.
   static constexpr std::size_t unlimited = static_cast<std::size_t>(-1);
 
-  TextParser(std::string file, std::string_view text, Problems& problems, Dialect dialect = {});
+  TextParser(std::string file, std::string_view text, Problems& problems, Dialect dialect = {}, int first_line = 1);
 
   /// Goes to the next record; false at the end of the text.
   bool next() { return lexer_.next(); }
@@ -39,7 +39,7 @@ class TextParser {
   Place place(std::size_t field) const;
   Place end_of_text() const;
   const std::string& file() const { return file_; }
-  Problems& problems() { return problems_; }
+  Problems& problems() { return *problems_; }
 
   /// Checks the number of fields; reports E-FIELDS where the first is missing or superfluous.
   bool has_fields(std::size_t least, std::size_t most, std::string_view layout);
@@ -63,7 +63,7 @@ class TextParser {
 
  private:
   std::string file_;
-  Problems& problems_;
+  Problems* problems_;
   Lexer lexer_;
 };
 
