@@ -94,9 +94,12 @@ private:
         for (std::size_t i = 0; i < edges.size();) {
             std::size_t end = i + 1;
             while (end < edges.size() && edges[end].sameLine(edges[i])) ++end;
-            for (std::size_t k = i + 1; k < end; ++k)
-                if (edges[k].reversed == edges[k - 1].reversed) offerEdge(edges[k], "twice");
-            if (end == i + 1) leftOver(f, edges[i]);
+            std::size_t forward = 0;
+            for (std::size_t k = i; k < end; ++k) {
+                if (k > i && edges[k].reversed == edges[k - 1].reversed) offerEdge(edges[k], "twice");
+                if (!edges[k].reversed) ++forward;
+            }
+            if (2 * forward != end - i) leftOver(f, edges[2 * forward > end - i ? i + forward - 1 : end - 1]);
             i = end;
         }
         std::sort(links.begin(), links.end());

@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Runs a checker on all test certificates: run_certificates.py CHECKER [--no-mutations]
+
+Compares the exit code and the last line (or the error's code and line) with MANIFEST.tsv; checks that manifest,
+folder and generator agree; tries the command line; and changes each byte of the worked example.
+"""
+import filecmp
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CERTIFICATES = os.path.normpath(os.path.join(HERE, "..", "certificates"))
+FOLDERS = ("accept", "reject", "decline", "malformed")
+failures = []
+
+
+def expect(good, message):
+    if not good:
+        failures.append(message)
+        print("FAILED " + message)
+
+
+def run(checker, *arguments):
+    done = subprocess.run([checker, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    return done.returncode, done.stdout.decode("latin-1"), done.stderr.decode("latin-1")
+
+
+def last_line(text):
+    return text.rstrip("\n").split("\n")[-1]
+
+
+def answer(path, code, out, err):
+    """What the manifest states: the last line, or the error's code and line."""
+    if code != 2:
+        return last_line(out)
+    match = re.match(re.escape(path) + r":(\d+):(\d+): error\[(E-[A-Z]+)\]: .", err)
+    if not match or re.search(r"^s ", out, re.M):
+        return "no error line: " + err
+    return match.group(3) if match.group(3) == "E-ZSTD" else "%s %s" % (match.group(3), match.group(1))
+
+
+def check_case(checker, path, code, expected):
+    full = os.path.join(CERTIFICATES, path)
+    got = run(checker, full)
+    expect(got[0] == code and answer(full, *got) == expected, "%s: %d %s, expected %d %s" % (path, got[0], answer(full, *got), code, expected))
+    for threads in ("1", "3"):
+        again = run(checker, full, "--json", "--threads", threads)
+        document = json.loads(again[1])
+        expect(again[0] == code == document["exit"], "%s: exit code with --json" % path)
+        if code != 2:
+            expect(last_line(again[2]) == expected, "%s: the verdict on standard error with --json" % path)
+        quiet = run(checker, full, "--quiet", "--threads", threads)
+        expect(quiet[0] == code and (code == 2 or quiet[1] == expected + "\n"), "%s: --quiet" % path)
+
+
+def check_manifest():
+    cases = []
+    with open(os.path.join(CERTIFICATES, "MANIFEST.tsv")) as file:
+        for line in file:
+            if not line.startswith("#"):
+                path, code, expected, _ = line.rstrip("\n").split("\t")
+                cases.append((path, int(code), expected))
+    present = {os.path.join(folder, name) for folder in FOLDERS for name in os.listdir(os.path.join(CERTIFICATES, folder))}
+    expect(present == {case[0] for case in cases}, "manifest and folder differ: %s" % sorted(present ^ {case[0] for case in cases}))
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([sys.executable, "-B", os.path.join(HERE, "make_certificates.py"), folder], check=True)
+        for path in [case[0] for case in cases] + ["MANIFEST.tsv"]:
+            other = os.path.join(folder, path)
+            same = os.path.exists(other) and filecmp.cmp(other, os.path.join(CERTIFICATES, path), shallow=False)
+            expect(same, "generating again gives something else: " + path)
+    return cases
+
+
+def check_command_line(checker):
+    worked = os.path.join(CERTIFICATES, "accept", "worked-example.cert")
+    with open(worked, "rb") as file:
+        text = file.read()
+    block = text[text.index(b"plc 1\n"):text.index(b"claims 1\n")]
+    with tempfile.TemporaryDirectory() as folder:
+        def file(name, data):
+            path = os.path.join(folder, name)
+            with open(path, "wb") as out:
+                out.write(data)
+            return path
+        same = file("same", block)
+        for arguments, code, line in [
+                ((worked, "--complex", same), 0, "s VERIFIED"),
+                ((worked, "--complex", file("other", block.replace(b"v 1 1 9 1", b"v 1 1 8 1"))), 5, "s REJECTED complex 9 other-complex"),
+                ((worked, "--complex", file("longer", block + b"\n")), 5, "s REJECTED complex 23 other-complex"),
+                ((worked, "--complex", file("shorter", block[:-1])), 5, "s REJECTED complex 23 other-complex"),
+                ((worked, "--complex", file("empty", b"")), 5, "s REJECTED complex 2 other-complex"),
+                ((worked, "--complex", os.path.join(folder, "missing")), 4, None),
+                ((os.path.join(folder, "missing"),), 4, None),
+                ((folder,), 4, None),
+                ((), 2, None), ((worked, worked), 2, None), ((worked, "--nonsense"), 2, None), ((worked, "--threads"), 2, None),
+                ((worked, "--threads", "0"), 2, None), ((worked, "--threads", "x"), 2, None), ((worked, "--memory-limit", "1X"), 2, None),
+                ((worked, "--time-limit", "-1"), 2, None),
+                (("--help",), 0, None), (("--version",), 0, None),
+                ((worked, "--time-limit", "1000", "--memory-limit", "64M"), 0, "s VERIFIED"),
+                ((worked, "--memory-limit", "200K"), 3, "s UNDECIDED memory-limit")]:
+            got = run(checker, *arguments)
+            expect(got[0] == code and (line is None or last_line(got[1]) == line), "%s: %d %s" % (arguments, got[0], last_line(got[1])))
+            if code == 2:
+                expect("error[E-USAGE]: " in got[2], "%s: no E-USAGE" % (arguments,))
+        report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
+        expect(report["smallest-relative-power"] == {"value": 2, "cell-line": 34, "point": 3}, "the smallest relative power of the worked example")
+        expect(report["complex"] == {"sha256": "680b430c4cf762c7e9ef3d597ce3704f7f45f3f7269fa1723b5d7f076d1ad8e3", "compared": True}, "the digest of the complex")
+        coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
+        expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
+        check_pipe(checker, folder)
+        if shutil.which("zstd"):
+            for level in ("-1", "-19"):
+                packed = os.path.join(folder, "packed")
+                subprocess.run(["zstd", "-q", "-f", level, worked, "-o", packed], check=True)
+                expect(run(checker, packed)[0] == 0, "zstd " + level)
+                with open(packed, "rb") as source:
+                    data = source.read()
+                for size in range(4, len(data)):
+                    got = run(checker, file("cut", data[:size]))
+                    expect(got[0] == 2 and "error[E-ZSTD]" in got[2], "zstd frame cut after %d bytes: %d" % (size, got[0]))
+
+
+def check_pipe(checker, folder):
+    """A certificate that never arrives: the time limit and the signals end the wait."""
+    pipe = os.path.join(folder, "pipe")
+    os.mkfifo(pipe)
+    keep = os.open(pipe, os.O_RDWR)
+    expect(run(checker, pipe, "--time-limit", "0.1")[:2] == (3, "s UNDECIDED time-limit\n"), "--time-limit")
+    for number in (signal.SIGINT, signal.SIGTERM):
+        process = subprocess.Popen([checker, pipe], stdout=subprocess.PIPE)
+        try:
+            process.wait(0.3)
+        except subprocess.TimeoutExpired:
+            process.send_signal(number)
+        expect(process.wait() == 130, "signal %d" % number)
+        process.stdout.close()
+    os.close(keep)
+
+
+def check_mutations(checker):
+    with open(os.path.join(CERTIFICATES, "accept", "worked-example.cert"), "rb") as file:
+        text = file.read()
+    other = b"0129a-/ \nftCR"
+
+    def mutate(place):
+        bad = []
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mutant.cert")
+            values = [text[place] ^ 1, text[place] ^ 0x80, other[place % len(other)], other[(place * 7 + 3) % len(other)]]
+            changed = [text[:place] + bytes([v]) + text[place + 1:] for v in values if v != text[place]]
+            for data in changed + [text[:place] + text[place + 1:], text[:place]]:
+                with open(path, "wb") as out:
+                    out.write(data)
+                code = run(checker, path, "--quiet")[0]
+                if code not in (2, 3, 5):
+                    bad.append("mutation of byte %d: exit code %d: %r" % (place, code, data[max(0, place - 10):place + 10]))
+        return bad
+
+    with ThreadPoolExecutor(2) as pool:
+        for bad in pool.map(mutate, range(len(text))):
+            for message in bad:
+                expect(False, message)
+
+
+def main():
+    checker = os.path.abspath(sys.argv[1])
+    cases = check_manifest()
+    with ThreadPoolExecutor(2) as pool:
+        list(pool.map(lambda case: check_case(checker, *case), cases))
+    check_command_line(checker)
+    if "--no-mutations" not in sys.argv:
+        check_mutations(checker)
+    print("%d certificates, %d failures" % (len(cases), len(failures)))
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
