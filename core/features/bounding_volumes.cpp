@@ -10,29 +10,15 @@ namespace confidel {
 namespace {
 
 constexpr int leaf_size = 4;
-/// Below this, squares of gaps may have lost digits to underflow: such boxes are always visited.
+/// Below this, squares of gaps may have lost digits to underflow: such boxes are always near.
 constexpr double tiny_square = 1e-290;
+constexpr Labels no_labels{-1, -1, -1};
 
-/// Distance between a segment and a point, with an error below 1e-14 if all coordinates have magnitude <= 1.
-double segment_point_distance(const std::array<Vector, 2>& ends, const Vector& point) {
-  Vector along;
-  Vector gap;
-  double squared_length = 0;
-  double projection = 0;
-  for (int k = 0; k < 3; ++k) {
-    along[k] = ends[1][k] - ends[0][k];
-    gap[k] = point[k] - ends[0][k];
-    squared_length += along[k] * along[k];
-    projection += along[k] * gap[k];
+Labels shared(Labels a, const Labels& b) {
+  for (int& label : a) {
+    if (std::find(b.begin(), b.end(), label) == b.end()) label = -1;
   }
-  // Whatever parameter comes out, the distance to that point of the segment is at most 1e-15 * length too long.
-  const double parameter = squared_length > 0 ? std::clamp(projection / squared_length, 0.0, 1.0) : 0.0;
-  double squared = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double rest = gap[k] - parameter * along[k];
-    squared += rest * rest;
-  }
-  return std::sqrt(squared);
+  return a;
 }
 
 }  // namespace
@@ -49,53 +35,55 @@ double squared_above(double limit) {
   return std::max(limit * limit * (1 + 0x1p-48), tiny_square);
 }
 
-double squared_distance_below(const Probe& probe, const Box& box, double squared_limit) {
+Volume::Volume(const Box& contents) : box(contents) {
   double squared = 0;
   for (int k = 0; k < 3; ++k) {
-    const double gap = std::max({0.0, box.lower[k] - probe.box.upper[k], probe.box.lower[k] - box.upper[k]});
-    squared += gap * gap;
-  }
-  if (!probe.is_segment || squared >= squared_limit) return squared;
-  // A slanted segment fills little of its box. Its distance to the ball around the other box says more, up to an
-  // absolute error.
-  Vector centre;
-  double squared_radius = 0;
-  for (int k = 0; k < 3; ++k) {
     centre[k] = 0.5 * (box.lower[k] + box.upper[k]);
-    const double half = 0.5 * (box.upper[k] - box.lower[k]);
-    squared_radius += half * half;
+    const double half = box.upper[k] - centre[k];
+    squared += half * half;
   }
-  const double distance = segment_point_distance(probe.ends, centre) - std::sqrt(squared_radius) - 1e-13;
-  return distance > 0 ? std::max(squared, distance * distance) : squared;
+  radius = std::sqrt(squared) * (1 + 0x1p-48);
 }
 
-BoundingVolumes::BoundingVolumes(const std::vector<Box>& boxes) : items_(boxes.size()) {
+Probe::Probe(const Box& box, const Vector& from, const Vector& to) : box_(box), from_(from) {
+  double squared_length = 0;
+  for (int k = 0; k < 3; ++k) {
+    along_[k] = to[k] - from[k];
+    squared_length += along_[k] * along_[k];
+  }
+  // A shorter segment fills its box well enough.
+  if (!(squared_length > 1e-24)) return;
+  is_segment_ = true;
+  inverse_squared_length_ = 1 / squared_length;
+}
+
+BoundingVolumes::BoundingVolumes(const std::vector<Box>& boxes, const std::vector<Labels>& labels)
+    : items_(boxes.size()) {
   std::iota(items_.begin(), items_.end(), 0);
   if (boxes.empty()) return;
   nodes_.reserve(boxes.size());
-  build(boxes, 0, static_cast<int>(boxes.size()));
-  boxes_.reserve(boxes.size());
-  for (const int item : items_) boxes_.push_back(boxes[item]);
+  build(boxes, labels, 0, static_cast<int>(boxes.size()));
+  volumes_.reserve(boxes.size());
+  for (const int item : items_) volumes_.emplace_back(boxes[item]);
+  labels_.assign(boxes.size(), no_labels);
+  for (std::size_t i = 0; i < labels.size(); ++i) labels_[i] = labels[items_[i]];
 }
 
-void BoundingVolumes::build(const std::vector<Box>& boxes, int begin, int end) {
+void BoundingVolumes::build(const std::vector<Box>& boxes, const std::vector<Labels>& labels, int begin, int end) {
   const auto centre = [&](int item, int axis) { return boxes[item].lower[axis] + boxes[item].upper[axis]; };
   const int index = static_cast<int>(nodes_.size());
-  nodes_.emplace_back();
   Box whole;
   Box centres;
+  Labels common = labels.empty() ? no_labels : labels[items_[begin]];
   for (int i = begin; i < end; ++i) {
     whole.extend(boxes[items_[i]]);
+    if (!labels.empty()) common = shared(common, labels[items_[i]]);
     Box point;
     for (int k = 0; k < 3; ++k) point.lower[k] = point.upper[k] = centre(items_[i], k);
     centres.extend(point);
   }
-  nodes_[index].box = whole;
-  if (end - begin <= leaf_size) {
-    nodes_[index].first = begin;
-    nodes_[index].count = end - begin;
-    return;
-  }
+  nodes_.push_back({Volume(whole), common, begin, end - begin});
+  if (end - begin <= leaf_size) return;
   int axis = 0;
   for (int k = 1; k < 3; ++k) {
     if (centres.upper[k] - centres.lower[k] > centres.upper[axis] - centres.lower[axis]) axis = k;
@@ -107,9 +95,10 @@ void BoundingVolumes::build(const std::vector<Box>& boxes, int begin, int end) {
     const double y = centre(b, axis);
     return x != y ? x < y : a < b;
   });
-  build(boxes, begin, middle);
+  build(boxes, labels, begin, middle);
   nodes_[index].first = static_cast<int>(nodes_.size());
-  build(boxes, middle, end);
+  nodes_[index].count = 0;
+  build(boxes, labels, middle, end);
 }
 
 }  // namespace confidel

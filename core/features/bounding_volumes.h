@@ -4,6 +4,7 @@
 // skipping.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -23,42 +24,93 @@ struct Box {
   void extend(const Box& other);
 };
 
-/// What a search starts from: everything in a box, or a segment with that box. The segment's ends are doubles; the
-/// true segment may be off by 1e-15.
-struct Probe {
-  Box box;
-  bool is_segment = false;
-  std::array<Vector, 2> ends{};
-};
-
 /// A square that any squared distance below the limit is certainly smaller than, in spite of rounding and underflow.
 double squared_above(double limit);
 
-/// A lower bound of the squared distance between the probe and a box, to be compared with squared_above only.
-/// Pre: coordinates have magnitude <= 1.
-double squared_distance_below(const Probe& probe, const Box& box, double squared_limit);
+/// A box and the ball around it, whose radius is rounded up.
+struct Volume {
+  explicit Volume(const Box& contents);
+
+  Box box;
+  Vector centre;
+  double radius;
+};
+
+/// What a search starts from: everything in a box, or a segment in its box. Pre: coordinates have magnitude <= 1; the
+/// true segment has a distance of at most 1e-15 from the given ends'.
+class Probe {
+ public:
+  explicit Probe(const Box& box) : box_(box) {}
+  Probe(const Box& box, const Vector& from, const Vector& to);
+
+  /// To be compared with squared_above(limit).
+  double squared_distance(const Volume& volume) const {
+    double squared = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double gap = std::max({0.0, volume.box.lower[k] - box_.upper[k], box_.lower[k] - volume.box.upper[k]});
+      squared += gap * gap;
+    }
+    return squared;
+  }
+
+  /// A slanted segment fills little of its box: where the box is too near, its distance to the ball says more.
+  bool passes_by(const Volume& volume, double limit) const {
+    if (!is_segment_) return false;
+    Vector gap;
+    double projection = 0;
+    for (int k = 0; k < 3; ++k) {
+      gap[k] = volume.centre[k] - from_[k];
+      projection += along_[k] * gap[k];
+    }
+    const double parameter = std::clamp(projection * inverse_squared_length_, 0.0, 1.0);
+    double squared = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double rest = gap[k] - parameter * along_[k];
+      squared += rest * rest;
+    }
+    // An inaccurate parameter makes the distance too long by less than 1e-14, like all other rounding here.
+    const double reach = limit + volume.radius + 1e-13;
+    return squared > reach * reach;
+  }
+
+ private:
+  Box box_;
+  bool is_segment_ = false;
+  Vector from_{};
+  Vector along_{};
+  double inverse_squared_length_ = 0;
+};
+
+/// Up to three labels of an item, -1 for none; a node has those that all its items share.
+using Labels = std::array<int, 3>;
 
 class BoundingVolumes {
  public:
-  explicit BoundingVolumes(const std::vector<Box>& boxes);
+  /// labels: none, or one entry per box.
+  explicit BoundingVolumes(const std::vector<Box>& boxes, const std::vector<Labels>& labels = {});
 
-  /// Calls visit(item, limit) for every item whose box may be nearer to the probe than the limit; visit returns
-  /// the limit from then on (not above the one that it got). Order of visits: deterministic, roughly near ones first.
-  /// Returns the last limit.
-  template <class Visit>
-  double search(const Probe& probe, double limit, Visit visit) const {
+  /// Calls visit(item, limit) for every item whose labels are not excluded(labels) and whose box may be nearer to the
+  /// probe than the limit; visit returns the limit from then on (not above the one that it got). Order of visits:
+  /// deterministic, roughly near ones first. Returns the last limit.
+  template <class Excluded, class Visit>
+  double search(const Probe& probe, double limit, Excluded excluded, Visit visit) const {
     if (nodes_.empty()) return limit;
     double squared_limit = squared_above(limit);
     std::array<Pending, 128> stack;  // deeper than any tree of 2^31 items split at medians
     int size = 0;
-    stack[size++] = {0, squared_distance_below(probe, nodes_[0].box, squared_limit)};
+    stack[size++] = {0, probe.squared_distance(nodes_[0].volume)};
     while (size > 0) {
       const Pending pending = stack[--size];
-      if (pending.squared_distance >= squared_limit) continue;
       const Node& node = nodes_[pending.node];
+      if (pending.squared_distance >= squared_limit || excluded(node.labels) || probe.passes_by(node.volume, limit)) {
+        continue;
+      }
       if (node.count > 0) {
         for (int i = node.first; i < node.first + node.count; ++i) {
-          if (squared_distance_below(probe, boxes_[i], squared_limit) >= squared_limit) continue;
+          if (probe.squared_distance(volumes_[i]) >= squared_limit || excluded(labels_[i]) ||
+              probe.passes_by(volumes_[i], limit)) {
+            continue;
+          }
           const double nearer = visit(items_[i], limit);
           if (nearer < limit) {
             limit = nearer;
@@ -67,11 +119,11 @@ class BoundingVolumes {
         }
         continue;
       }
-      Pending left{pending.node + 1, squared_distance_below(probe, nodes_[pending.node + 1].box, squared_limit)};
-      Pending right{node.first, squared_distance_below(probe, nodes_[node.first].box, squared_limit)};
-      if (left.squared_distance <= right.squared_distance) std::swap(left, right);
-      stack[size++] = left;
-      stack[size++] = right;
+      Pending near{pending.node + 1, probe.squared_distance(nodes_[pending.node + 1].volume)};
+      Pending far{node.first, probe.squared_distance(nodes_[node.first].volume)};
+      if (far.squared_distance < near.squared_distance) std::swap(near, far);
+      stack[size++] = far;
+      stack[size++] = near;
     }
     return limit;
   }
@@ -79,7 +131,8 @@ class BoundingVolumes {
  private:
   /// A leaf has count > 0 items from first; an inner node has its left child after it and its right child at first.
   struct Node {
-    Box box;
+    Volume volume;
+    Labels labels;
     int first = 0;
     int count = 0;
   };
@@ -88,12 +141,13 @@ class BoundingVolumes {
     double squared_distance;
   };
 
-  void build(const std::vector<Box>& boxes, int begin, int end);
+  void build(const std::vector<Box>& boxes, const std::vector<Labels>& labels, int begin, int end);
 
   std::vector<Node> nodes_;
   /// In the order of the leaves.
   std::vector<int> items_;
-  std::vector<Box> boxes_;
+  std::vector<Volume> volumes_;
+  std::vector<Labels> labels_;
 };
 
 }  // namespace confidel

@@ -142,14 +142,19 @@ double separation(const Differences& differences, const Vector& w) {
   const double squared = dot(w, w);
   if (!(squared > tiny_square)) return 0;
   double least = infinity;
+  double least_reversed = infinity;
   for (std::size_t i = 0; i < differences.rows; ++i) {
     for (std::size_t j = 0; j < differences.columns; ++j) {
       const double x = w[0] * differences.at[i][j][0];
       const double y = w[1] * differences.at[i][j][1];
       const double z = w[2] * differences.at[i][j][2];
-      least = std::min(least, x + y + z - 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(z)));
+      const double sum = x + y + z;
+      const double error = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(z));
+      least = std::min(least, sum - error);
+      least_reversed = std::min(least_reversed, -sum - error);
     }
   }
+  least = std::max(least, least_reversed);
   if (!(least > tiny_square)) return 0;
   return least / std::sqrt(squared) * (1 - 0x1p-49);
 }
@@ -171,12 +176,13 @@ Corner::Corner(const Point& vertex)
   }
 }
 
-double distance_below(Simplex a, Simplex b, double limit) {
+double distance_below(Simplex a, Simplex b, double limit, Vector& direction) {
   const auto exact = [](const Corner* corner) { return corner->exact; };
   if (!std::all_of(a.begin(), a.end(), exact) || !std::all_of(b.begin(), b.end(), exact)) {
     return exact_distance_below(a, b);
   }
   const Differences differences(a, b);
+  if (const double below = separation(differences, direction); below >= limit) return below;
   const Approach approach = approach_simplices(differences);
   // The gap leads from a point of a to one of b, up to the rounding of its parameters' use: at most four terms of
   // magnitude at most 2 greatest, each with an error of at most 4 u, and barycentric coordinates whose sum exceeds 1 by
@@ -186,7 +192,9 @@ double distance_below(Simplex a, Simplex b, double limit) {
   if (above > accepted_ratio * below && approach.has_normal) {
     below = std::max(below, separation(differences, approach.normal));
   }
-  if (below >= limit || above <= accepted_ratio * below) return below;
+  if (below >= limit) return below;
+  direction = approach.gap;
+  if (above <= accepted_ratio * below) return below;
   return exact_distance_below(a, b);
 }
 

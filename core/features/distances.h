@@ -24,8 +24,10 @@ struct Corner {
 using Simplex = std::span<const Corner* const>;
 
 /// A lower bound of the distance between a point or segment a and a simplex b. It is within a relative 1e-9 of the
-/// distance unless it is at least limit. Pre: coordinates have magnitude <= 1.
-double distance_below(Simplex a, Simplex b, double limit);
+/// distance unless it is at least limit. direction: any vector along which a and b may be far apart, it is tried first;
+/// set to the one that belongs to a distance below the limit, so that the next ones are passed over quickly.
+/// Pre: coordinates have magnitude <= 1.
+double distance_below(Simplex a, Simplex b, double limit, Vector& direction);
 
 /// The largest double that is not above the distance, from exact squared distances; 0 if a and b meet.
 double exact_distance_below(Simplex a, Simplex b);

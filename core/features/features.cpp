@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/features/angles.h"
 #include "core/features/incidence.h"
+#include "core/features/link_angles.h"
 
 namespace confidel {
 
@@ -22,109 +22,91 @@ class Computation {
       : complex_(complex),
         incidence_(complex),
         corners_(complex.vertices.begin(), complex.vertices.end()),
-        vertices_(boxes(complex.vertices.size(), [](std::size_t i) { return std::array{static_cast<VertexId>(i)}; })),
-        segments_(boxes(complex.segments.size(), [&](std::size_t i) { return complex.segments[i]; })),
+        vertices_(volumes(complex.vertices.size(), [](std::size_t i) { return std::array{static_cast<VertexId>(i)}; })),
+        segments_(volumes(complex.segments.size(), [&](std::size_t i) { return complex.segments[i]; })),
         triangles_(
-            boxes(incidence_.triangles.size(), [&](std::size_t i) { return incidence_.triangles[i].vertices; })) {}
+            volumes(incidence_.triangles.size(), [&](std::size_t i) { return incidence_.triangles[i].vertices; })) {}
 
   double vertex_distance(VertexId vertex) const {
     const std::array self{&corners_[vertex]};
-    const Probe probe{self[0]->box, false, {}};
-    double nearest = vertices_.search(probe, infinity, [&](VertexId other, double limit) {
-      return other == vertex ? limit : nearer(self, std::array{other}, limit);
+    const Probe probe(self[0]->box);
+    const auto touches = [vertex](const Labels& vertices) { return contains(vertices, vertex); };
+    Vector direction{};
+    double nearest = vertices_.search(probe, infinity, touches, [&](VertexId other, double limit) {
+      return nearer(self, std::array{other}, limit, direction);
     });
-    nearest = segments_.search(probe, nearest, [&](SegmentId segment, double limit) {
-      const Segment& ends = complex_.segments[segment];
-      return ends[0] == vertex || ends[1] == vertex ? limit : nearer(self, ends, limit);
+    nearest = segments_.search(probe, nearest, touches, [&](SegmentId segment, double limit) {
+      return nearer(self, complex_.segments[segment], limit, direction);
     });
-    return triangles_.search(probe, nearest, [&](int triangle, double limit) {
+    return triangles_.search(probe, nearest, touches, [&](int triangle, double limit) {
       const Triangle& other = incidence_.triangles[triangle];
-      return incidence_.facet_has_vertex(other.facet, vertex) ? limit : nearer(self, other.vertices, limit);
+      if (incidence_.facet_has_vertex(other.facet, vertex)) return limit;
+      return nearer(self, other.vertices, limit, direction);
     });
   }
 
   double segment_distance(SegmentId segment) const {
     const auto [a, b] = complex_.segments[segment];
     const std::array self{&corners_[a], &corners_[b]};
-    const auto touches = [a = a, b = b](const auto& vertices) {
-      return std::any_of(vertices.begin(), vertices.end(), [&](VertexId vertex) { return vertex == a || vertex == b; });
+    const auto touches = [a = a, b = b](const Labels& vertices) {
+      return contains(vertices, a) || contains(vertices, b);
     };
-    Probe probe{self[0]->box, true, {self[0]->position, self[1]->position}};
-    probe.box.extend(self[1]->box);
-    double nearest = vertices_.search(probe, infinity, [&](VertexId vertex, double limit) {
-      const std::array other{vertex};
-      return touches(other) ? limit : nearer(self, other, limit);
+    Box box = self[0]->box;
+    box.extend(self[1]->box);
+    const Probe probe(box, self[0]->position, self[1]->position);
+    Vector direction{};
+    // A few neighbours give a first limit.
+    double nearest = infinity;
+    for (const VertexId end : {a, b}) {
+      const auto segments = incidence_.segments_at[end];
+      for (const SegmentId index : segments.first(std::min<std::size_t>(segments.size(), 8))) {
+        const Segment& other = complex_.segments[index];
+        if (index == segment) continue;
+        nearest = nearer(self, std::array{other[0] == end ? other[1] : other[0]}, nearest, direction);
+      }
+    }
+    nearest = vertices_.search(probe, nearest, touches, [&](VertexId other, double limit) {
+      return nearer(self, std::array{other}, limit, direction);
     });
-    nearest = segments_.search(probe, nearest, [&](SegmentId index, double limit) {
-      const Segment& other = complex_.segments[index];
-      return touches(other) ? limit : nearer(self, other, limit);
+    nearest = segments_.search(probe, nearest, touches, [&](SegmentId other, double limit) {
+      return nearer(self, complex_.segments[other], limit, direction);
     });
     // In the plane there is nothing but e's own facet.
     if (incidence_.facets_of[segment].size() == complex_.facets.size()) return nearest;
-    return triangles_.search(probe, nearest, [&](int triangle, double limit) {
+    return triangles_.search(probe, nearest, touches, [&](int triangle, double limit) {
       const Triangle& other = incidence_.triangles[triangle];
-      if (touches(other.vertices) || incidence_.facet_has_segment(other.facet, segment)) return limit;
-      return nearer(self, other.vertices, limit);
+      if (incidence_.facet_has_segment(other.facet, segment)) return limit;
+      return nearer(self, other.vertices, limit, direction);
     });
   }
 
-  double segment_angle(SegmentId segment, int side) const {
-    const VertexId vertex = complex_.segments[segment][side];
-    const VertexId end = complex_.segments[segment][1 - side];
-    double smallest = straight_angle;
-    for (const SegmentId index : incidence_.segments_at[vertex]) {
-      if (index == segment) continue;
-      const Segment& other = complex_.segments[index];
-      const VertexId other_end = other[0] == vertex ? other[1] : other[0];
-      smallest = std::min(smallest, angle_below(corners_[vertex], corners_[end], corners_[other_end], smallest));
-    }
-    return smallest;
-  }
-
-  double facet_angle(SegmentId segment, int side) const {
-    const VertexId vertex = complex_.segments[segment][side];
-    const VertexId end = complex_.segments[segment][1 - side];
-    double smallest = straight_angle;
-    for (const int index : incidence_.triangles_at[vertex]) {
-      const Triangle& triangle = incidence_.triangles[index];
-      if (incidence_.facet_has_segment(triangle.facet, segment)) continue;
-      const auto& corners = triangle.vertices;
-      const auto position = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
-      smallest =
-          std::min(smallest, sector_angle_below(corners_[vertex], corners_[end], corners_[corners[(position + 1) % 3]],
-                                                corners_[corners[(position + 2) % 3]], smallest));
-    }
-    return smallest;
-  }
-
-  double dihedral_angle(SegmentId segment) const {
-    const auto [a, b] = complex_.segments[segment];
-    const auto sheets = incidence_.sheets_of[segment];
-    double smallest = straight_angle;
-    for (std::size_t i = 0; i < sheets.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        smallest = std::min(smallest, dihedral_angle_below(corners_[a], corners_[b], corners_[sheets[j]],
-                                                           corners_[sheets[i]], smallest));
-      }
-    }
-    return smallest;
-  }
+  const Incidence& incidence() const { return incidence_; }
+  const std::vector<Corner>& corners() const { return corners_; }
 
  private:
+  static bool contains(const Labels& vertices, VertexId vertex) {
+    return vertices[0] == vertex || vertices[1] == vertex || vertices[2] == vertex;
+  }
+
+  /// Simplices, labelled with their vertices.
   template <class Vertices>
-  std::vector<Box> boxes(std::size_t count, Vertices vertices) const {
-    std::vector<Box> result(count);
+  BoundingVolumes volumes(std::size_t count, Vertices vertices) const {
+    std::vector<Box> boxes(count);
+    std::vector<Labels> labels(count, {-1, -1, -1});
     for (std::size_t i = 0; i < count; ++i) {
-      for (const VertexId vertex : vertices(i)) result[i].extend(corners_[vertex].box);
+      const auto simplex = vertices(i);
+      std::copy(simplex.begin(), simplex.end(), labels[i].begin());
+      for (const VertexId vertex : simplex) boxes[i].extend(corners_[vertex].box);
     }
-    return result;
+    return BoundingVolumes(boxes, labels);
   }
 
   template <std::size_t M, std::size_t N>
-  double nearer(const std::array<const Corner*, M>& self, const std::array<VertexId, N>& other, double limit) const {
+  double nearer(const std::array<const Corner*, M>& self, const std::array<VertexId, N>& other, double limit,
+                Vector& direction) const {
     std::array<const Corner*, N> simplex;
     for (std::size_t i = 0; i < N; ++i) simplex[i] = &corners_[other[i]];
-    return std::min(limit, distance_below(self, simplex, limit));
+    return std::min(limit, distance_below(self, simplex, limit, direction));
   }
 
   const Complex& complex_;
@@ -147,15 +129,20 @@ Features compute_features(const Complex& complex) {
   features.segment_angle.resize(segments);
   features.facet_angle.resize(segments);
   features.dihedral_angle.resize(segments);
-  tbb::parallel_for(0, vertices,
-                    [&](int vertex) { features.vertex_distance[vertex] = computation.vertex_distance(vertex); });
+  // Lists are written for one segment, or for one end of it, by one task.
+  tbb::parallel_for(0, vertices, [&](int vertex) {
+    features.vertex_distance[vertex] = computation.vertex_distance(vertex);
+    const LinkAngles angles(complex, computation.incidence(), computation.corners(), vertex);
+    for (const SegmentId segment : computation.incidence().segments_at[vertex]) {
+      const int side = complex.segments[segment][0] == vertex ? 0 : 1;
+      features.segment_angle[segment][side] = angles.to_segments(segment);
+      features.facet_angle[segment][side] = angles.to_facets(segment);
+    }
+  });
   tbb::parallel_for(0, segments, [&](int segment) {
     features.segment_distance[segment] = computation.segment_distance(segment);
-    for (int side = 0; side < 2; ++side) {
-      features.segment_angle[segment][side] = computation.segment_angle(segment, side);
-      features.facet_angle[segment][side] = computation.facet_angle(segment, side);
-    }
-    features.dihedral_angle[segment] = computation.dihedral_angle(segment);
+    features.dihedral_angle[segment] =
+        smallest_dihedral_angle(complex, computation.incidence(), computation.corners(), segment);
   });
   return features;
 }
