@@ -98,6 +98,20 @@ Proof.
   set (k := c * (3 - 4 * (t * t))) in *. nra.
 Qed.
 
+(** cos beta sin phi >= 2 sin beta: points at a vertex are 2d away from other edges. *)
+Lemma offset_separation_ratio : 2 * sin (4 * y) <= cos (4 * y) * sin (12 * y).
+Proof.
+  replace (12 * y) with (3 * (4 * y)) by ring.
+  assert (E : sin (3 * (4 * y)) = sin (4 * y) * (3 - 4 * (sin (4 * y) * sin (4 * y)))).
+  { rewrite sin_triple. pose proof (sin2_cos2 (4 * y)) as E. unfold Rsqr in E.
+    replace (cos (4 * y) * cos (4 * y)) with (1 - sin (4 * y) * sin (4 * y)) by lra. ring. }
+  rewrite E. pose proof sin_4y as [S4 SS]. pose proof cos_4y as [C4 _].
+  set (t := sin (4 * y)) in *. set (c := cos (4 * y)) in *.
+  assert (G2 : 2 <= c * (3 - 4 * (t * t))) by nra.
+  replace (c * (t * (3 - 4 * (t * t)))) with (t * (c * (3 - 4 * (t * t)))) by ring.
+  set (k := c * (3 - 4 * (t * t))) in *. nra.
+Qed.
+
 (** cos phi < cos beta cos a for a <= phi/8: an edge at angle phi* from a face clears
     its spokes (L10, L15). *)
 Lemma edge_face_ratio a : 0 <= a <= phi / 8 -> cos phi < cos (phi / 3) * cos a.
@@ -143,6 +157,30 @@ Proof.
   pose proof beta_is_4y as B. destruct P as (Hr & Hphi & _ & _ & Hh). rewrite B.
   pose proof (vertex_separation_ratio phi (phi / 12) Hphi eq_refl) as K.
   replace phi with (12 * (phi / 12)) at 2 by field. nra.
+Qed.
+
+(** Points at distance >= r cos beta from v, at angle >= phi* from an edge: 2d away from it. *)
+Theorem margin_offset_separation : 2 * d <= r * cos beta * sin phi.
+Proof.
+  pose proof beta_is_4y as B. destruct P as (Hr & Hphi & _ & Hd & Hh). rewrite Hd, B.
+  pose proof (offset_separation_ratio phi (phi / 12) Hphi eq_refl) as K.
+  replace phi with (12 * (phi / 12)) at 3 by field. nra.
+Qed.
+
+(** A subarc whose chord is at most 3h/2 is shorter than 2 beta, and nearly flat. *)
+Theorem margin_half_angle a : 0 < a < PI / 2 -> 2 * r * sin a <= 3 / 2 * h ->
+  a < beta /\ 995 / 1000 <= cos a.
+Proof.
+  intros Ha Hb. pose proof margin_offset as MO. pose proof margin_radius as MR. pose proof PI_RGT_0.
+  destruct P as (Hr & Hphi & EB & Hd & Hh).
+  assert (S1 : r * sin a < r * sin beta) by lra.
+  assert (S2 : sin a < sin beta) by (apply Rmult_lt_reg_l with r; assumption).
+  split.
+  - destruct (Rlt_le_dec a beta) as [L|L]; [exact L|].
+    assert (sin beta <= sin a) by (apply sin_incr_1; lra). lra.
+  - pose proof (sin2_cos2 a) as E. unfold Rsqr in E.
+    assert (0 < sin a) by (apply sin_gt_0; lra). assert (0 < cos a) by (apply cos_gt_0; lra).
+    assert (sin a <= 98169 / 1000000) by nra. apply sq_le; nra.
 Qed.
 
 (** ... and the geometric fact behind it. *)

@@ -135,14 +135,14 @@ Qed.
 
 (** A carrier that has the corner v, brought into a form that starts with v. *)
 Lemma carrier_at K r beta d t x v : simplicial K -> has K t -> placed r beta d t x -> In v (corners t) ->
-  x = v
+  (t = Pt v /\ x = v)
   \/ (exists w', has K (Seg v w') /\ placed r beta d (Seg v w') x /\
         forall c, In c [v; w'] <-> In c (corners t))
   \/ (exists p q, has K (Tri v p q) /\ placed r beta d (Tri v p q) x /\
         forall c, In c [v; p; q] <-> In c (corners t)).
 Proof.
   intros S H P I. destruct t as [a|a b|a b c]; simpl in I.
-  - left. simpl in P. destruct I as [<-|[]]. exact P.
+  - left. simpl in P. destruct I as [<-|[]]. split; [reflexivity|exact P].
   - right; left. destruct I as [<-|[<-|[]]].
     + exists b. split; [exact H|]. split; [exact P|]. intros x0. tauto.
     + exists a. split; [apply has_seg_sym, H|]. split; [apply placed_seg_sym; [apply (proper_seg K S), H|exact P]|].
