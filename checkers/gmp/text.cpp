@@ -227,7 +227,7 @@ void Text::flush(const char* upTo) {
     const char* from = buffer_.data() + flushed_;
     const auto size = static_cast<std::size_t>(upTo - from);
     if (size == 0) return;
-    textDigest_.add(from, size);
+    if (textDigest_) textDigest_->add(from, size);
     if (complexDigest_) {
         complexDigest_->add(from, size);
         compare(from, size);
@@ -237,7 +237,9 @@ void Text::flush(const char* upTo) {
 
 std::string Text::digestBeforeThisLine() {
     flush(buffer_.data() + lineStart_);
-    return textDigest_.hexadecimal();
+    const std::string digest = textDigest_->hexadecimal();
+    textDigest_.reset();
+    return digest;
 }
 
 void Text::startComplex(const std::string& comparePath) {

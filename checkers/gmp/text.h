@@ -83,7 +83,7 @@ private:
     const char* stop_ = nullptr;
     std::uint64_t line_ = 0;
 
-    Sha256 textDigest_;
+    std::unique_ptr<Sha256> textDigest_ = std::make_unique<Sha256>();  // until its value was asked for
     std::unique_ptr<Sha256> complexDigest_;
     std::unique_ptr<ByteSource> other_;
     std::string otherPath_;
