@@ -4,7 +4,7 @@
 #include <CGAL/Box_intersection_d/Box_d.h>
 #include <CGAL/box_intersection_d.h>
 
-namespace confidel {
+namespace confidel::building {
 
 namespace {
 
@@ -44,4 +44,4 @@ void for_each_meeting_pair(const std::vector<Box>& first, const std::vector<Box>
                            [&](const IndexedBox& x, const IndexedBox& y) { callback(x.index(), y.index()); });
 }
 
-}  // namespace confidel
+}  // namespace confidel::building

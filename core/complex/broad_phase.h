@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace confidel {
+namespace confidel::building {
 
 /// A closed axis-parallel box.
 struct Box {
@@ -37,4 +37,4 @@ void for_each_meeting_pair(const std::vector<Box>& boxes, const PairCallback& ca
 /// Calls back once for every pair (index in first, index in second) that meets.
 void for_each_meeting_pair(const std::vector<Box>& first, const std::vector<Box>& second, const PairCallback& callback);
 
-}  // namespace confidel
+}  // namespace confidel::building

@@ -10,6 +10,8 @@ namespace confidel {
 
 namespace {
 
+using namespace building;
+
 void throw_if_any(Draft& draft) {
   if (draft.problems.empty()) return;
   std::stable_sort(draft.problems.begin(), draft.problems.end(),
@@ -125,6 +127,7 @@ BuiltComplex build_complex(const Input& input, const BuildOptions& options) {
   collect_segments(draft, built.complex);
   built.complex.vertices = std::move(draft.vertices);
   built.report = std::move(draft.report);
+  built.report.input_index = std::move(draft.origin);
   return built;
 }
 

@@ -23,6 +23,8 @@ struct BuildReport {
   };
   std::vector<SplitSegment> split_segments;
   std::vector<std::string> remarks;
+  /// For every vertex of the complex, the index in Input::vertices of the (first) one with its position.
+  std::vector<int> input_index;
   int artificial_segments = 0;  ///< dimension 2: convex-hull edges that were added
 };
 

@@ -8,7 +8,7 @@
 #include "core/complex/draft.h"
 #include "core/complex/intersection.h"
 
-namespace confidel {
+namespace confidel::building {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<std::pair<int, int>> find_crossing_edges(Draft& draft) {
   return crossings;
 }
 
-}  // namespace confidel
+}  // namespace confidel::building

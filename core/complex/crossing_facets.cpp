@@ -11,7 +11,7 @@
 #include "core/complex/draft.h"
 #include "core/complex/intersection.h"
 
-namespace confidel {
+namespace confidel::building {
 
 namespace {
 
@@ -199,4 +199,4 @@ void find_crossing_facets(Draft& draft, const std::vector<std::pair<int, int>>& 
   FacetCrossings(draft, crossings).report();
 }
 
-}  // namespace confidel
+}  // namespace confidel::building

@@ -7,7 +7,7 @@
 #include <map>
 #include <unordered_map>
 
-namespace confidel {
+namespace confidel::building {
 
 void Draft::add_problem(const std::string& code, int line, const std::string& message) {
   problems.push_back({code, {input.file, line, 0}, message});
@@ -122,4 +122,4 @@ void draft_segments(Draft& draft) {
   }
 }
 
-}  // namespace confidel
+}  // namespace confidel::building

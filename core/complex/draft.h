@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/complex/build.h"
-#include "core/complex/region.h"
+#include "core/complex/enclosed_region.h"
 
-namespace confidel {
+namespace confidel::building {
 
 struct FacetDraft {
   int source = 0;  ///< index in Input::facets
@@ -95,4 +95,4 @@ void find_crossing_facets(Draft& draft, const std::vector<std::pair<int, int>>& 
 /// Dimension 2: the one facet.
 void draft_domain(Draft& draft);
 
-}  // namespace confidel
+}  // namespace confidel::building

@@ -7,7 +7,7 @@
 
 #include "core/complex/draft.h"
 
-namespace confidel {
+namespace confidel::building {
 
 namespace {
 
@@ -209,4 +209,4 @@ void draft_facets(Draft& draft) {
     if (auto facet = FacetReader(draft, static_cast<int>(source)).read()) draft.facets.push_back(std::move(*facet));
 }
 
-}  // namespace confidel
+}  // namespace confidel::building

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace confidel {
+namespace confidel::building {
 
 namespace {
 
@@ -119,4 +119,4 @@ Meeting meeting_of(const Corners& first, const Corners& second) {
                                                                                                     : Meeting::none;
 }
 
-}  // namespace confidel
+}  // namespace confidel::building

@@ -6,7 +6,7 @@
 
 #include "core/numbers/predicates.h"
 
-namespace confidel {
+namespace confidel::building {
 
 using Corners = std::array<const Point*, 3>;
 
@@ -32,4 +32,4 @@ enum class Meeting {
 /// How two triangles meet. Triangles in one plane that have only an edge or a piece of one in common: none.
 Meeting meeting_of(const Corners& first, const Corners& second);
 
-}  // namespace confidel
+}  // namespace confidel::building

@@ -7,7 +7,7 @@
 #include "core/complex/broad_phase.h"
 #include "core/complex/draft.h"
 
-namespace confidel {
+namespace confidel::building {
 
 namespace {
 
@@ -200,9 +200,9 @@ void draft_domain(Draft& draft) {
   for (const Segment& edge : region.hull_edges) draft.segments.push_back({edge, -1, 0});
   draft.report.artificial_segments = static_cast<int>(region.hull_edges.size());
   if (!region.hull_edges.empty())
-    draft.add_remark(
-        fmt::format("the segments enclose nothing: the domain is the convex hull, {} artificial segments close it",
-                    region.hull_edges.size()));
+    draft.add_remark(fmt::format(
+        "the segments enclose nothing but holes: the domain is the convex hull, {} artificial segments close it",
+        region.hull_edges.size()));
   if (!region.outside_edges.empty())
     draft.add_remark(
         fmt::format("{} segments lie outside of the domain: they are hanging", region.outside_edges.size()));
@@ -211,4 +211,4 @@ void draft_domain(Draft& draft) {
   draft.facets.push_back(std::move(domain));
 }
 
-}  // namespace confidel
+}  // namespace confidel::building

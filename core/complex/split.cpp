@@ -5,7 +5,7 @@
 #include "core/complex/broad_phase.h"
 #include "core/complex/draft.h"
 
-namespace confidel {
+namespace confidel::building {
 
 namespace {
 
@@ -99,4 +99,4 @@ void split_edges(Draft& draft) {
   draft.edges = all_edges(draft);
 }
 
-}  // namespace confidel
+}  // namespace confidel::building

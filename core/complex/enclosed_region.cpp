@@ -2,7 +2,7 @@
 // The only translation unit that instantiates CGAL's triangulations for the complex. Inexact constructions suffice: the
 // vertices are doubles (one coordinate dropped), and edges that would need a constructed crossing are refused before
 // they get here.
-#include "core/complex/region.h"
+#include "core/complex/enclosed_region.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -16,7 +16,7 @@
 #include <cmath>
 #include <utility>
 
-namespace confidel {
+namespace confidel::building {
 
 namespace {
 
@@ -48,10 +48,12 @@ class RegionBuilder {
     }
     insert_edges();
     flood(triangulation_.infinite_face(), Part::exterior);
-    for (const FaceHandle face : triangulation_.finite_face_handles())
-      region_.encloses = region_.encloses || face->info() == Part::enclosed;
-    if (!region_.encloses && input_.hull_if_open) enclose_by_hull();
-    for (std::size_t i = 0; i < input_.seeds.size(); ++i) region_.seeds.push_back(dig_hole(i));
+    region_.encloses = has_enclosed_face();
+    dig_holes();
+    if (input_.hull_if_open && !has_enclosed_face()) {
+      enclose_by_hull();
+      dig_holes();
+    }
     collect();
     return std::move(region_);
   }
@@ -122,6 +124,12 @@ class RegionBuilder {
     }
   }
 
+  bool has_enclosed_face() const {
+    for (const FaceHandle face : triangulation_.finite_face_handles())
+      if (face->info() == Part::enclosed) return true;
+    return false;
+  }
+
   void enclose_by_hull() {
     for (const FaceHandle face : triangulation_.finite_face_handles()) {
       face->info() = Part::enclosed;
@@ -184,6 +192,11 @@ class RegionBuilder {
     std::array<double, 3> result{};
     for (int axis = 0; axis < 3; ++axis) result[axis] = position[axis] - along / square * normal[axis];
     return std::isfinite(along) ? result : position;
+  }
+
+  void dig_holes() {
+    region_.seeds.clear();
+    for (std::size_t i = 0; i < input_.seeds.size(); ++i) region_.seeds.push_back(dig_hole(i));
   }
 
   Region::Seed dig_hole(std::size_t i) {
@@ -264,4 +277,4 @@ class RegionBuilder {
 
 Region enclosed_region(const RegionInput& input) { return RegionBuilder(input).build(); }
 
-}  // namespace confidel
+}  // namespace confidel::building

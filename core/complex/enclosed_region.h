@@ -8,7 +8,7 @@
 #include "core/complex/complex.h"
 #include "core/numbers/predicates.h"
 
-namespace confidel {
+namespace confidel::building {
 
 struct RegionInput {
   /// Working coordinates, and the input's doubles: the same points.
@@ -26,7 +26,7 @@ struct RegionInput {
   /// the region.
   const std::vector<Point>& seeds;
   const std::vector<std::array<double, 3>>& seed_positions;
-  /// Dimension 2: edges that enclose nothing are given the convex hull of everything as boundary.
+  /// Dimension 2: edges that enclose nothing but holes are given the convex hull of everything as boundary.
   bool hull_if_open = false;
 };
 
@@ -49,4 +49,4 @@ struct Region {
 /// of the convex hull or from a seed without crossing a bounding edge. No points are added.
 Region enclosed_region(const RegionInput& input);
 
-}  // namespace confidel
+}  // namespace confidel::building

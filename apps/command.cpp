@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <map>
+
+#include "apps/interrupt.h"
+
+namespace confidel {
+
+namespace {
+
+constexpr std::size_t shown_problems = 20;
+
+/// A problem of a whole line points at its first column; one of the whole file has no line.
+std::string place_text(const Place& place) {
+  if (place.line <= 0) return place.file;
+  return fmt::format("{}:{}:{}", place.file, place.line, place.column > 0 ? place.column : 1);
+}
+
+void write_all(std::FILE* stream, const std::string& name, const std::string& bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stream) != bytes.size() || std::fflush(stream) != 0)
+    throw FileError(fmt::format("{}: cannot be written: {}", name, std::strerror(errno)));
+}
+
+}  // namespace
+
+void print_problems(const InputError& error) {
+  const std::size_t shown = std::min(shown_problems, error.problems.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Problem& problem = error.problems[i];
+    fmt::print(stderr, "{}: error[{}]: {}\n", place_text(problem.place), problem.code, problem.message);
+  }
+  if (error.problems.size() <= shown) return;
+  std::map<std::string, std::size_t> counts;
+  for (const Problem& problem : error.problems) ++counts[problem.code];
+  std::string text;
+  for (const auto& [code, count] : counts) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, code);
+  fmt::print(stderr, "{}: {} errors in all ({} shown): {}\n", error.problems.front().place.file, error.problems.size(),
+             shown, text);
+}
+
+void write_output(const std::string& path, const std::string& bytes) {
+  if (path.empty()) return write_all(stdout, "standard output", bytes);
+  struct Closer {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+  };
+  const PartialFile partial(path);
+  {
+    const std::unique_ptr<std::FILE, Closer> stream(std::fopen(partial.name().c_str(), "wb"));
+    if (!stream) throw FileError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+    write_all(stream.get(), path, bytes);
+  }
+  if (std::rename(partial.name().c_str(), path.c_str()) != 0)
+    throw FileError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+}
+
+}  // namespace confidel

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the subcommands share. A subcommand is one file with one function add_...; it declares its options and says, by
+// setting Selection::run, what is to be done once the command line has been accepted.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "core/complex/input.h"
+
+namespace confidel {
+
+/// Exit codes of every program of the project: docs/certificate-format.md, section 6.
+enum ExitCode : int {
+  exit_success = 0,
+  exit_refuted = 1,
+  exit_bad_input = 2,
+  exit_undecided = 3,
+  exit_unreadable = 4,
+  exit_rejected = 5,
+  exit_internal = 70,
+  exit_interrupted = 130,
+};
+
+struct Selection {
+  std::function<int()> run;
+};
+
+void add_info(CLI::App& app, Selection& selection);
+void add_canonical(CLI::App& app, Selection& selection);
+
+/// The problems of a bad input on standard error: the first 20, then how many there are of each code.
+void print_problems(const InputError& error);
+
+/// Writes all bytes, to standard output if path is empty. A file appears complete or not at all, also when the program
+/// is interrupted. Throws FileError.
+void write_output(const std::string& path, const std::string& bytes);
+
+}  // namespace confidel
