@@ -10,6 +10,7 @@
 #include <numbers>
 #include <span>
 
+#include "core/placement/estimate.h"
 #include "core/placement/point_index.h"
 
 namespace confidel {
@@ -57,10 +58,15 @@ Ball circumscribed_ball(const Point& a, const Point& b, const Point& c, Double3*
   return ball;
 }
 
+// A refinement that ends within so many points needs no estimate: its number of points is known.
+constexpr int pilot_points = 20000;
+// The estimate must exceed --max-points by this factor before a run is refused for it.
+constexpr double estimate_margin = 2;
+
 class Refinement {
  public:
   Refinement(const Complex& complex, const Features& features, const Limits& limits, Progress& progress)
-      : complex_(complex), limits_(limits), progress_(progress), zones_(complex, graded_sizes(complex, features)), all_(make_index()) {
+      : complex_(complex), limits_(limits), progress_(progress), sizes_(graded_sizes(complex, features)), zones_(complex, sizes_), all_(make_index()) {
     for (const Facet& facet : complex.facets) {
       projections_.push_back(projection_of(facet.normal));
       double reach = 0;
@@ -77,6 +83,7 @@ class Refinement {
       settle_buffer_zones();
       if (!refine_regions()) break;
     }
+    if (!estimated_) progress_.estimated(zones_.point_count());
     check_static_cells();
     return zones_.result();
   }
@@ -95,6 +102,7 @@ class Refinement {
   void index_new_points() {
     for (int id = static_cast<int>(all_.size()); id < zones_.point_count(); ++id) all_.insert(id, zones_.point(id).approximate());
     progress_.at("placing points", zones_.point_count());
+    estimate();
     if (limits_.max_points > 0 && zones_.point_count() > limits_.max_points) throw LimitReached("max-points", zones_.point_count());
     if (progress_.stop_requested(zones_.point_count())) throw LimitReached("time-limit", zones_.point_count());
   }
@@ -133,6 +141,29 @@ class Refinement {
     const Point *a = &zones_.point(row.stations[i].point), *b = &zones_.point(row.stations[i + 1].point);
     if (!protector.left) std::swap(a, b);
     return encroached(index, projections_[protector.facet], *a, *b, zones_.point(protector.points[i]), a, b);
+  }
+
+  // Once, when the pilot's points are used up: what is known to be open is extrapolated.
+  void estimate() {
+    if (estimated_ || zones_.point_count() <= pilot_points) return;
+    estimated_ = true;
+    std::vector<OpenInterval> intervals;
+    for (const auto& row : zones_.rows())
+      for (std::size_t i = 0; i + 1 < row.stations.size(); ++i) {
+        bool free = row.protectors.empty() ? row.free[i] : true;
+        for (const auto& protector : row.protectors) free = free && protector.free[i];
+        if (!free)
+          intervals.push_back({row.segment, 1 + static_cast<int>(row.protectors.size()), zones_.point(row.stations[i].point).approximate(),
+                               zones_.point(row.stations[i + 1].point).approximate()});
+      }
+    if (!refined_)
+      for (std::size_t f = 0; f < complex_.facets.size(); ++f)
+        for (const auto& [a, b, c] : complex_.facets[f].triangles)
+          open_.push_back({static_cast<FacetId>(f), {complex_.vertices[a].approximate(), complex_.vertices[b].approximate(), complex_.vertices[c].approximate()}});
+    const double expected = zones_.point_count() + estimate_further_points(complex_, sizes_, intervals, open_);
+    progress_.estimated(expected);
+    if (limits_.max_points > 0 && expected > estimate_margin * static_cast<double>(limits_.max_points))
+      throw LimitReached("max-points", zones_.point_count());
   }
 
   // Rules (0), (i) and (ii), until nothing changes.
@@ -205,10 +236,13 @@ class Refinement {
       const PlaneFrame& frame = owner_.zones_.frame(facet_);
       const Point& origin = owner_.complex_.vertices[owner_.complex_.facets[facet_].frame[0]];
       owner_.placed_.fetch_add(1, std::memory_order_relaxed);
+      ++own_;
       if (radius > owner_.reach_[facet_] * 0x1p-36) return frame.round(origin, approximate_difference(a, origin) + offset, radius / 64);
       return frame.round(a, offset, radius / 64);
     }
     bool stopped() override {
+      // A facet that uses up the pilot alone stops once, so that the estimate comes early: the same for any number of threads.
+      if (!owner_.estimated_ && own_ >= pilot_points) return true;
       const long count = owner_.placed_.load(std::memory_order_relaxed) + owner_.base_count_;
       if (owner_.limits_.max_points > 0 && count > owner_.limits_.max_points) return true;
       return owner_.progress_.stop_requested(count);
@@ -218,6 +252,7 @@ class Refinement {
     Refinement& owner_;
     FacetId facet_;
     const PointIndex& recent_;
+    int own_ = 0;
   };
 
   // Rule (iii). Facets are refined independently against the points known at the beginning; returns whether anything changed.
@@ -236,7 +271,12 @@ class Refinement {
       });
     });
     bool changed = false;
+    refined_ = true;
+    open_.clear();
     for (int f = 0; f < facets; ++f) {
+      const Region& region = zones_.region(f);
+      for (const auto& [a, b, c] : refinements[f].open)
+        open_.push_back({f, {region.point(a).approximate(), region.point(b).approximate(), region.point(c).approximate()}});
       if (refinements[f].stuck) throw StrategyFailed("graded: a circumcentre was rounded onto an existing point");
       zones_.adopt_new_vertices(f);
       changed |= refinements[f].inserted > 0;
@@ -264,6 +304,7 @@ class Refinement {
   const Complex& complex_;
   const Limits& limits_;
   Progress& progress_;
+  const BufferSizes sizes_;
   BufferZones zones_;
   PointIndex all_;
   std::vector<Projection> projections_;
@@ -271,6 +312,8 @@ class Refinement {
   std::vector<int> region_sizes_;
   std::atomic<long> placed_{0};
   long base_count_ = 0;
+  bool estimated_ = false, refined_ = false;
+  std::vector<OpenTriangle> open_;
   int buffer_seen_ = 0, region_seen_ = 0;
 };
 

@@ -64,7 +64,7 @@ struct Limits {
 class LimitReached : public std::runtime_error {
  public:
   LimitReached(const std::string& why, long points) : std::runtime_error(why), points_reached(points) {}
-  long points_reached;
+  long points_reached;  ///< so far
 };
 
 /// Thrown when a strategy finds that it cannot go on on this input (never a wrong answer): UNDECIDED.
@@ -79,6 +79,8 @@ class Progress {
   virtual void at(const char* stage, long points) = 0;
   /// True when work should stop; safe to call from any thread.
   virtual bool stop_requested(long points) = 0;
+  /// Told once, early: the number of points that the result is expected to have.
+  virtual void estimated(double points) = 0;
 };
 
 }  // namespace confidel

@@ -229,12 +229,15 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
   std::vector<FaceHandle> conflicts;
   std::vector<Edge> rim;
   while (!queue.empty()) {
-    if (environment.stopped()) break;
     const auto [size, first, second, third] = queue.top();
     queue.pop();
     FaceHandle f;
     if (!t.is_face(self.vertices[-first], self.vertices[-second], self.vertices[-third], f)) continue;
     if (!f->info().inside || f->info().free) continue;
+    if (environment.stopped()) {
+      result.open.push_back({-first, -second, -third});
+      continue;
+    }
     self.own_points.push_back(
         environment.circumcentre(self.point(f->vertex(0)), self.point(f->vertex(1)), self.point(f->vertex(2))));
     const Point& centre = self.own_points.back();

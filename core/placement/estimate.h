@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How many points the graded strategy is going to place: floating point, for the reader and for limits only.
+#pragma once
+
+#include "core/complex/complex.h"
+#include "core/placement/buffer_zones.h"
+
+namespace confidel {
+
+/// A part of a facet that is still encroached, or a piece of a segment with its rows.
+struct OpenTriangle {
+  FacetId facet;
+  std::array<Double3, 3> corners;
+};
+struct OpenInterval {
+  SegmentId segment;
+  int rows;  ///< points per station: one on the segment and one per protector
+  Double3 first, second;
+};
+
+/// The expected number of further points: the grading of theory.md section 4 as a number. Per open interval the integral of 1/g
+/// along it, g the distance to what does not contain its segment; per open triangle the integral of 1/D^2, D the distance to what is not
+/// coplanar. Integrals by random descents into halved intervals and quartered triangles (Knuth's estimator of tree sizes) with a fixed
+/// seed: the time does not depend on the result. The constants are calibrated on the inputs of docs/results.md.
+double estimate_further_points(const Complex& complex, const BufferSizes& sizes, const std::vector<OpenInterval>& intervals,
+                               const std::vector<OpenTriangle>& triangles);
+
+}  // namespace confidel
