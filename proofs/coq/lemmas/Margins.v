@@ -129,7 +129,7 @@ Definition parameters r phi beta d h :=
   0 < r /\ 0 < phi <= PI / 4 /\ beta = phi / 3 /\ d = r * sin beta /\
   0 < h <= 2 * r * sin (phi / 12).
 
-Section Parameters.
+Section Margins2.
 Variables r phi beta d h : R.
 Hypothesis P : parameters r phi beta d h.
 
@@ -239,7 +239,7 @@ Qed.
     disjoint and every remaining arc is at least phi/3 long. *)
 Theorem margin_remaining_arc theta : phi <= theta -> phi / 3 <= theta - 2 * beta.
 Proof. destruct P as (_ & _ & -> & _). intros. lra. Qed.
-End Parameters.
+End Margins2.
 
 (** Section 2.2 / table of section 1: from b <= 1.5 h alone (apex angle < 3 phi/4 <= 3 pi/16)
     the spoke bulge is at most 0.2276 h. *)

@@ -1,0 +1,102 @@
+#!/bin/sh
+# The trusted part of proofs/coq, checked: builds, runs coqchk, refuses statements
+# without proof, prints the axioms of every theorem into docs/proofs.md.
+# Exit codes: 0 all is proved, 1 something is not, 4 a tool or file is missing.
+#   ./check.sh          our modules by coqchk, the standard library as installed
+#   ./check.sh --full   coqchk rechecks the standard library too (minutes)
+#   ./check.sh --only lemmas theorem    restrict to these folders
+set -u
+cd "$(dirname "$0")" || exit 4
+full=no; folders="lemmas theorem checker"
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --full) full=yes; shift ;;
+    --only) shift; folders="$*"; break ;;
+    *) echo "usage: check.sh [--full] [--only FOLDER...]" >&2; exit 2 ;;
+  esac
+done
+for tool in coqc coqchk coqdep perl make; do
+  command -v $tool >/dev/null || { echo "check.sh: $tool not found" >&2; exit 4; }
+done
+fail() { echo "check.sh: FAILED: $*" >&2; exit 1; }
+work=.check; mkdir -p $work
+
+files=""; maps=""
+for f in $folders; do
+  [ -d "$f" ] || continue
+  maps="$maps -Q $f Confidel.$f"
+  files="$files $(find "$f" -name '*.v' ! -path 'theorem/Remaining.v' | sort)"
+done
+
+# 1. Statements without proof, outside comments. Before the build: it is the cheapest test.
+bad=0
+for v in $files; do
+  perl -0777 -ne '
+    s/"(?:[^"]|"")*"/""/g;
+    1 while s/\(\*(?:(?!\(\*|\*\)).)*\*\)/ /gs;           # nested comments, innermost first
+    while (/\b(Admitted|admit|give_up|Abort|Aborted)\b|(?:^|\.)\s*(?:Local\s+|Global\s+|#\[[^\]]*\]\s*)*(Axioms?|Parameters?|Conjectures?|Declare\s+Module|Unset\s+(?:Guard|Positivity|Universe)\s+Checking|Set\s+Type\s+In\s+Type|Bypass)\b/g) {
+      print "$ARGV: ", (defined $1 ? $1 : $2), "\n"; $n++ }
+    END { exit($n ? 1 : 0) }' "$v" || bad=1
+done
+[ $bad -eq 0 ] || fail "statements without proof in the trusted part"
+
+# 2. Build.
+targets=""; for v in $files; do targets="$targets ${v%.v}.vo"; done
+make -j1 $targets >$work/build.log 2>&1 || { tail -20 $work/build.log >&2; fail "build (proofs/coq/.check/build.log)"; }
+
+# 3. The independent kernel.
+modules=""
+for v in $files; do modules="$modules Confidel.$(echo "${v%.v}" | tr / .)"; done
+if [ $full = yes ]; then
+  coqchk -silent -o $maps $modules >$work/coqchk.log 2>&1 || { tail -20 $work/coqchk.log >&2; fail "coqchk"; }
+else
+  norec=""; for m in $modules; do norec="$norec -norec $m"; done
+  coqchk -silent $maps $norec >$work/coqchk.log 2>&1 || { tail -20 $work/coqchk.log >&2; fail "coqchk"; }
+fi
+
+# 4. Axioms of every theorem and corollary.
+{
+  echo "(* Written by check.sh: the axioms of every theorem of the trusted part. *)"
+  for v in $files; do echo "Require Confidel.$(echo "${v%.v}" | tr / .)."; done
+  for v in $files; do
+    m=Confidel.$(echo "${v%.v}" | tr / .)
+    sed -nE 's/^(Theorem|Corollary) ([A-Za-z0-9_'"'"']+).*/\2/p' "$v" | while read -r t; do
+      echo "Goal True. idtac \"THEOREM $m.$t\". exact I. Qed. Print Assumptions $m.$t."
+    done
+  done
+} > Assumptions.v
+coqc -q -w none $maps -o "$PWD/$work/Assumptions.vo" Assumptions.v >$work/assumptions.log 2>&1 || { tail -20 $work/assumptions.log >&2; fail "Print Assumptions"; }
+rm -f Assumptions.glob .Assumptions.aux
+
+perl -ne '
+  BEGIN { %ok = map { $_ => 1 } qw(
+    ClassicalDedekindReals.sig_forall_dec ClassicalDedekindReals.sig_not_dec
+    FunctionalExtensionality.functional_extensionality_dep Classical_Prop.classic); $bad = 0 }
+  if (/^THEOREM Confidel\.(\S+)\.([^.\s]+)\s*$/) { ($file, $name) = ($1, $2); push @order, [$file, $name]; next }
+  next unless defined $name;
+  if (/^([A-Za-z_][\w.\x27]*)\s*(:|$)/ && $1 ne "Axioms" && !/^Closed under/) {
+    push @{$ax{"$file.$name"}}, $1;
+    unless ($ok{$1}) { print STDERR "axiom outside the allow-list: $1 in $file.$name\n"; $bad = 1 }
+  }
+  END {
+    print STDERR "no theorem found\n" and exit 1 unless @order;
+    my %short = ("ClassicalDedekindReals.sig_forall_dec" => "F", "ClassicalDedekindReals.sig_not_dec" => "N",
+      "FunctionalExtensionality.functional_extensionality_dep" => "E", "Classical_Prop.classic" => "C");
+    print "| file | theorems | axioms |\n|---|---|---|\n"; my (%row, @rows);
+    for (@order) { my ($f, $n) = @$_;
+      my $a = join " ", sort map { $short{$_} // $_ } @{$ax{"$f.$n"} // []}; $a = "none" if $a eq "";
+      my $k = "$f\t$a"; push @rows, $k unless $row{$k}; push @{$row{$k}}, $n }
+    for (@rows) { my ($f, $a) = split /\t/; (my $p = $f) =~ tr|.|/|;
+      print "| $p.v | ", join(", ", @{$row{$_}}), " | $a |\n" }
+    exit $bad }' $work/assumptions.log > $work/table.md || fail "axioms"
+
+# 5. The table in docs/proofs.md, between its markers; whole runs only.
+doc=../../docs/proofs.md
+if [ "$folders" = "lemmas theorem checker" ] && [ -f $doc ]; then
+  grep -q '<!-- assumptions begin -->' $doc && grep -q '<!-- assumptions end -->' $doc || fail "markers missing in docs/proofs.md"
+  awk -v table=$work/table.md '
+    /<!-- assumptions begin -->/ { print; while ((getline line < table) > 0) print line; skip = 1 }
+    /<!-- assumptions end -->/ { skip = 0 }
+    !skip && !/<!-- assumptions begin -->/ { print }' $doc > $work/proofs.md && cat $work/proofs.md > $doc
+fi
+echo "check.sh: $(grep -c THEOREM $work/assumptions.log) theorems, no statement without proof, axioms within the allow-list"
