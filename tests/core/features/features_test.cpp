@@ -290,6 +290,17 @@ BOOST_AUTO_TEST_CASE(hubs_and_books) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(book_of_leaves_that_doubles_cannot_order) {
+  Generator generator(43);
+  std::vector<Coordinates> vertices{{0, 0, 0}, {1, 0.5, 0.25}};
+  std::vector<std::array<VertexId, 3>> triangles;
+  for (VertexId i = 2; i < 28; ++i) {
+    vertices.push_back({1e-20 * real(generator), 1, 1e-20 * real(generator)});
+    triangles.push_back({0, 1, i});
+  }
+  check(triangle_complex(vertices, triangles), "thin book");
+}
+
 BOOST_AUTO_TEST_CASE(polygons) {
   Generator generator(11);
   for (int round = 0; round < 12; ++round) check(random_polygons(generator, 3, 0), "polygons " + std::to_string(round));
