@@ -3,7 +3,7 @@
 
     The complex of docs/certificate-format.md section 2, the Delaunay subdivisions of a set of points, and [conforms] of section 4.
     Nothing here speaks of certificates, cells or checks: this page and the theorem [Sound.check_sound] are all that has to be read.
-    Axioms: those of Coq's real numbers. *)
+    Only the axioms of the real numbers of Coq are used. *)
 From Coq Require Import ZArith List Bool Reals.
 From Confidel.checker Require Import Space.
 Import ListNotations.
