@@ -29,6 +29,7 @@ struct Selection {
 
 void add_info(CLI::App& app, Selection& selection);
 void add_canonical(CLI::App& app, Selection& selection);
+void add_conform(CLI::App& app, Selection& selection);
 
 /// The problems of a bad input on standard error: the first 20, then how many there are of each code.
 void print_problems(const InputError& error);

@@ -19,6 +19,7 @@ int run_command_line(int argc, char** argv) {
   Selection selection;
   add_info(app, selection);
   add_canonical(app, selection);
+  add_conform(app, selection);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -104,7 +104,7 @@ class Refinement {
     progress_.at("placing points", zones_.point_count());
     estimate();
     if (limits_.max_points > 0 && zones_.point_count() > limits_.max_points) throw LimitReached("max-points", zones_.point_count());
-    if (progress_.stop_requested(zones_.point_count())) throw LimitReached("time-limit", zones_.point_count());
+    if (progress_.stop_requested(zones_.point_count())) throw LimitReached("stopped", zones_.point_count());
   }
 
   // An index of the points since a given one; cells that were free before need to be tested against these only.
@@ -145,7 +145,8 @@ class Refinement {
 
   // Once, when the pilot's points are used up: what is known to be open is extrapolated.
   void estimate() {
-    if (estimated_ || zones_.point_count() <= pilot_points) return;
+    const bool limited = limits_.max_points > 0 && zones_.point_count() > limits_.max_points;
+    if (estimated_ || (zones_.point_count() <= pilot_points && !limited)) return;
     estimated_ = true;
     std::vector<OpenInterval> intervals;
     for (const auto& row : zones_.rows())
@@ -270,6 +271,7 @@ class Refinement {
         refinements[f] = zones_.region(f).refine(environment);
       });
     });
+    const bool estimated_before = estimated_;
     bool changed = false;
     refined_ = true;
     open_.clear();
@@ -284,7 +286,8 @@ class Refinement {
     }
     changed |= zones_.apply_requests() > 0;
     index_new_points();
-    return changed;
+    if (!open_.empty() && estimated_before && limits_.max_points > 0) throw LimitReached("max-points", zones_.point_count());
+    return changed || !open_.empty();
   }
 
   // T cells are static: nothing can be split there, the sizes must have been right.

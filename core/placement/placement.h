@@ -52,15 +52,13 @@ struct Placement {
   std::vector<std::array<int, 3>> hanging;       ///< segment, a, b: in order along the segment, by segment
 };
 
-/// Limits and interaction of a long computation.
+/// Limits of a long computation; those of time and memory are the Progress's.
 struct Limits {
-  long max_points = 0;       ///< 0: none
-  double time_limit = 0;     ///< seconds; 0: none
-  std::size_t memory_limit = 0;  ///< bytes of resident memory; 0: none
+  long max_points = 0;  ///< 0: none
   int threads = 1;
 };
 
-/// Thrown when a limit is reached or a request to stop came: the verdict is UNDECIDED.
+/// Thrown when a limit is reached ("max-points") or Progress asked to stop ("stopped"): the verdict is UNDECIDED.
 class LimitReached : public std::runtime_error {
  public:
   LimitReached(const std::string& why, long points) : std::runtime_error(why), points_reached(points) {}
@@ -77,7 +75,7 @@ class Progress {
  public:
   virtual ~Progress() = default;
   virtual void at(const char* stage, long points) = 0;
-  /// True when work should stop; safe to call from any thread.
+  /// True when work should stop (time, memory, interruption); safe to call from any thread.
   virtual bool stop_requested(long points) = 0;
   /// Told once, early: the number of points that the result is expected to have.
   virtual void estimated(double points) = 0;

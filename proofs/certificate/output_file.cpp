@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <openssl/evp.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include <zstd.h>
 
@@ -32,7 +31,7 @@ struct OutputFile::Implementation {
   ZSTD_CCtx* compressor = nullptr;
   std::vector<char> compressed;
 
-  [[noreturn]] void fail(const char* what) const { throw FileError(path + ": error[E-WRITE]: " + what + ": " + std::strerror(errno)); }
+  [[noreturn]] void fail(const char* what) const { throw FileError(path + ": " + what + ": " + std::strerror(errno)); }
 
   void put(const char* data, std::size_t size) {
     while (size > 0) {
@@ -54,7 +53,7 @@ struct OutputFile::Implementation {
       for (;;) {
         ZSTD_outBuffer output{compressed.data(), compressed.size(), 0};
         const std::size_t rest = ZSTD_compressStream2(compressor, &output, &input, last ? ZSTD_e_end : ZSTD_e_continue);
-        if (ZSTD_isError(rest)) throw FileError(path + ": error[E-WRITE]: " + ZSTD_getErrorName(rest));
+        if (ZSTD_isError(rest)) throw FileError(path + ": " + ZSTD_getErrorName(rest));
         put(compressed.data(), output.pos);
         if (last ? rest == 0 : input.pos == input.size) break;
       }
@@ -63,15 +62,12 @@ struct OutputFile::Implementation {
   }
 };
 
-OutputFile::OutputFile(const std::string& path) : implementation_(std::make_unique<Implementation>()) {
+OutputFile::OutputFile(const std::string& path, const std::string& temporary) : implementation_(std::make_unique<Implementation>()) {
   auto& self = *implementation_;
   self.path = path;
-  self.temporary = path + ".XXXXXX";
-  self.file = ::mkstemp(self.temporary.data());
+  self.temporary = temporary;
+  self.file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (self.file < 0) self.fail("cannot create a file here");
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(self.file, 0666 & ~mask);
   self.hash = EVP_MD_CTX_new();
   EVP_DigestInit_ex(self.hash, EVP_sha256(), nullptr);
   if (ends_with(path, ".zst")) {

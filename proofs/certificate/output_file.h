@@ -11,8 +11,8 @@ namespace confidel {
 
 class OutputFile {
  public:
-  /// Opens a temporary file beside path. Compresses if path ends in .zst. Throws FileError.
-  explicit OutputFile(const std::string& path);
+  /// Opens the temporary file, in the folder of path. Compresses if path ends in .zst. Throws FileError.
+  OutputFile(const std::string& path, const std::string& temporary);
   /// Removes the temporary file unless commit was called.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;

@@ -24,9 +24,9 @@ char name_of(CellKind kind) { return "TSRC"[static_cast<int>(kind)]; }
 
 }  // namespace
 
-CertificateSummary write_certificate(const std::string& path, const Complex& complex, const Placement& placement,
+CertificateSummary write_certificate(const std::string& path, const std::string& temporary, const Complex& complex, const Placement& placement,
                                      const CertificateNotes& notes) {
-  OutputFile file(path);
+  OutputFile file(path, temporary);
   CertificateSummary summary;
   const std::string canonical = canonical_text(complex);
   summary.complex_sha256 = sha256(canonical);

@@ -21,10 +21,10 @@ struct CertificateSummary {
 /// KEY TEXT pairs without meaning: strategy, seed, options, tool.
 using CertificateNotes = std::vector<std::pair<std::string, std::string>>;
 
-/// Writes the certificate for the claim `conforms`; compressed if the path ends in .zst. Written to a temporary name beside
-/// the path and renamed when complete: the path never holds half a certificate. Same arguments, same bytes.
+/// Writes the certificate for the claim `conforms`; compressed if the path ends in .zst. Written to the temporary name (in the
+/// same folder) and renamed when complete: the path never holds half a certificate. Same arguments, same bytes.
 /// Throws FileError.
-CertificateSummary write_certificate(const std::string& path, const Complex& complex, const Placement& placement,
+CertificateSummary write_certificate(const std::string& path, const std::string& temporary, const Complex& complex, const Placement& placement,
                                      const CertificateNotes& notes);
 
 }  // namespace confidel

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// confidel conform FILE -o OUT.cert: places Steiner points, writes the certificate, and has it checked by the checker program.
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "apps/checker_process.h"
+#include "apps/command.h"
+#include "apps/interrupt.h"
+#include "apps/meter.h"
+#include "core/complex/build.h"
+#include "core/features/features.h"
+#include "core/io/read.h"
+#include "core/placement/graded.h"
+#include "proofs/certificate/writer.h"
+
+namespace confidel {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ConformOptions {
+  std::string file, output, strategy = "graded";
+  BuildOptions build;
+  long max_points = 3'000'000;
+  double time_limit = 0;
+  std::size_t memory_limit = 0;
+  int threads = 0;
+  bool json = false, quiet = false;
+};
+
+const char* const point_kinds[] = {"vertex", "projection", "edge", "offset", "arc", "interior"};
+
+struct Run {
+  explicit Run(const ConformOptions& given) : options(given), meter(given.time_limit, given.memory_limit, !given.quiet) {}
+
+  const ConformOptions& options;
+  Meter meter;
+  Json report;
+  Json seconds = Json::object();
+  double stage_start = 0;
+
+  void finish_stage(const char* name) {
+    const double now = meter.elapsed();
+    seconds[name] = now - stage_start;
+    stage_start = now;
+  }
+
+  // The last line belongs to the reader of the text; a JSON document stands alone on standard output.
+  int finish(const std::string& verdict, int code) {
+    seconds["total"] = meter.elapsed();
+    report["seconds"] = seconds;
+    report["peak_memory_bytes"] = peak_memory();
+    report["verdict"] = verdict;
+    report["exit"] = code;
+    if (options.json) {
+      fmt::print("{}\n", report.dump(2));
+      fmt::print(stderr, "{}\n", verdict);
+    } else {
+      fmt::print("{}\n", verdict);
+    }
+    return code;
+  }
+
+  template <class... Arguments>
+  void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    if (!options.json && !options.quiet) fmt::print(format, std::forward<Arguments>(arguments)...);
+  }
+};
+
+void describe(Run& run, const Placement& placement, const CertificateSummary& summary) {
+  std::map<std::string, long> kinds, cells;
+  for (const PlacedPoint& point : placement.points)
+    if (point.kind != PointKind::vertex) ++kinds[point_kinds[static_cast<int>(point.kind)]];
+  for (const PlacedCell& cell : placement.cells) ++cells[std::string(1, "TSRC"[static_cast<int>(cell.kind)])];
+  long steiner = 0;
+  std::string by_kind;
+  for (const auto& [kind, count] : kinds) {
+    steiner += count;
+    by_kind += fmt::format("{}{} {}", by_kind.empty() ? "" : ", ", count, kind);
+  }
+  run.report["steiner_points"] = steiner;
+  run.report["points_by_kind"] = kinds;
+  run.report["cells"] = placement.cells.size();
+  run.report["cells_by_kind"] = cells;
+  run.report["estimated_points"] = run.meter.estimate();
+  run.report["certificate"] = {{"file", run.options.output}, {"bytes", summary.file_bytes}, {"text_bytes", summary.text_bytes}};
+  run.report["complex_sha256"] = summary.complex_sha256;
+  run.say("strategy {}: {} Steiner points{}{}{}, {} cells\n", run.options.strategy, steiner, by_kind.empty() ? "" : " (", by_kind,
+          by_kind.empty() ? "" : ")", placement.cells.size());
+  run.say("certificate: {} ({} bytes)\ncomplex: SHA-256 {}\n", run.options.output, summary.file_bytes, summary.complex_sha256);
+}
+
+int undecided(Run& run, const std::string& why, long reached) {
+  run.finish_stage("placement");
+  run.report["points_reached"] = reached;
+  if (run.meter.estimate() > 0) run.report["estimated_points"] = run.meter.estimate();
+  run.say("stopped at {} points; no certificate was written\n", reached);
+  std::string verdict = fmt::format("s UNDECIDED {} reached={}", why, reached);
+  if (run.meter.estimate() > 0) verdict += fmt::format(" estimate={:.0f}", run.meter.estimate());
+  return run.finish(verdict, exit_undecided);
+}
+
+int check(Run& run, const Complex& complex) {
+  const ConformOptions& options = run.options;
+  // The complex as `confidel canonical` spells it: the certificate must be about this input, not about what it embeds.
+  const PartialFile complex_file(options.output + ".plc");
+  write_output(complex_file.name(), canonical_text(complex));
+  run.meter.at("checking", 0);
+  const CheckerRun checker = run_checker(options.output, complex_file.name(), options.threads, run.meter.time_left(), options.memory_limit);
+  run.finish_stage("check");
+  const Json report = Json::parse(checker.report, nullptr, false);
+  run.report["checker"] = report.is_discarded() ? Json() : report;
+  if (report.is_object() && report.contains("smallest-relative-power")) {
+    const Json& power = report["smallest-relative-power"];
+    run.report["smallest_relative_power"] = power.is_object() ? power["value"] : power;
+    if (power.is_object())
+      run.say("checked by confidel-check: smallest relative power off-plane {} (cell of line {}, point {})\n", power["value"].dump(),
+              power["cell-line"].dump(), power["point"].dump());
+  }
+  std::string stages;
+  for (const auto& [name, value] : run.seconds.items()) stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, value.get<double>());
+  run.say("{}; peak memory {} MB\n", stages, peak_memory() >> 20);
+  if (checker.exit_code == exit_success || checker.exit_code == exit_undecided || checker.exit_code == exit_interrupted)
+    return run.finish(checker.verdict, checker.exit_code);
+  // Our own certificate must never be rejected: that is our fault, whatever the input.
+  fmt::print(stderr, "confidel: error[E-INTERNAL]: the checker does not accept the certificate that was written to {}; please report it with {}\n",
+             options.output, options.file);
+  return run.finish(checker.verdict, exit_internal);
+}
+
+int run_conform(const ConformOptions& options) {
+  Run run(options);
+  run.report["file"] = options.file;
+  run.report["strategy"] = options.strategy;
+  run.report["threads"] = options.threads;
+  run.meter.at("reading", 0);
+  const BuiltComplex built = build_complex(read_input(options.file), options.build);
+  const Complex& complex = built.complex;
+  run.report["dimension"] = complex.dimension;
+  run.report["vertices"] = complex.vertices.size();
+  run.report["segments"] = complex.segments.size();
+  run.report["facets"] = complex.facets.size();
+  run.say("{}: {} vertices, {} segments, {} facets\n", options.file, complex.vertices.size(), complex.segments.size(), complex.facets.size());
+  run.finish_stage("read");
+  run.meter.at("measuring features", 0);
+  const Features features = compute_features(complex);
+  run.finish_stage("features");
+
+  Limits limits;
+  limits.max_points = options.max_points;
+  limits.threads = options.threads;
+  Placement placement;
+  try {
+    placement = place_graded(complex, features, limits, run.meter);
+  } catch (const LimitReached& limit) {
+    return undecided(run, run.meter.reason() != nullptr ? run.meter.reason() : limit.what(), limit.points_reached);
+  } catch (const StrategyFailed& failure) {
+    fmt::print(stderr, "confidel: {}\n", failure.what());
+    return undecided(run, "strategy-failed", 0);
+  }
+  run.finish_stage("placement");
+  run.meter.at("writing", static_cast<long>(placement.points.size()));
+  {
+    const PartialFile partial(options.output);
+    const CertificateSummary summary =
+        write_certificate(options.output, partial.name(), complex, placement,
+                          {{"strategy", options.strategy}, {"tool", "confidel " CONFIDEL_VERSION}});
+    run.finish_stage("write");
+    describe(run, placement, summary);
+  }
+  placement = Placement();
+  return check(run, complex);
+}
+
+}  // namespace
+
+void add_conform(CLI::App& app, Selection& selection) {
+  auto options = std::make_shared<ConformOptions>();
+  CLI::App* command = app.add_subcommand(
+      "conform", "Place Steiner points so that the Delaunay triangulation conforms; write a certificate and have it checked");
+  command->add_option("FILE", options->file, "The input: .poly, .smesh, .off, .obj, .stl, .ply, .mesh")->required();
+  command->add_option("-o,--output", options->output, "The certificate: .cert, or .cert.zst (compressed)")->required();
+  command->add_option("--strategy", options->strategy, "graded: the paper's strategy made local")->check(CLI::IsMember({"graded"}))->capture_default_str();
+  command->add_option("--max-points", options->max_points, "UNDECIDED when more points are needed; 0: no limit")->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->add_option("--time-limit", options->time_limit, "UNDECIDED after this time, such as 90, 90s or 5m")
+      ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE));
+  command->add_option("--memory-limit", options->memory_limit, "UNDECIDED above this resident memory, such as 512M or 4G")
+      ->transform(CLI::AsSizeValue(false));
+  command->add_option("-j,--threads", options->threads, "Threads; 0: as many as the machine has. The result does not depend on it")
+      ->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->add_flag("--merge-identical", options->build.merge_identical_vertices, "Vertices with the same position are one vertex, not an error");
+  command->add_flag("--json", options->json, "One JSON document on standard output; the verdict's line goes to standard error");
+  command->add_flag("-q,--quiet", options->quiet, "Only the last line");
+  command->footer("Example: confidel conform examples/w3.smesh -o w3.cert\nExit codes: 0 verified, 2 bad input, 3 undecided, 4 unreadable file, 70 internal error, 130 interrupted.");
+  command->callback([options, &selection] {
+    if (options->threads == 0) options->threads = std::max(1U, std::thread::hardware_concurrency());
+    selection.run = [options] { return run_conform(*options); };
+  });
+}
+
+}  // namespace confidel
