@@ -1,7 +1,7 @@
 (** Goals: what separates [Theorem31.theorem_3_1_repaired] from the paper's Theorem 3.1.
     NOT part of the trusted build; `make remaining` compiles it. Nothing may import it. *)
 From Coq Require Import Reals Lra List.
-From Confidel.lemmas Require Import Space Pencil.
+From Confidel.lemmas Require Import Space Pencil EdgeCells.
 From Confidel.theorem Require Import Complex Placement FaceGeometry InFace Theorem31.
 Import ListNotations.
 Open Scope R_scope.
@@ -22,17 +22,29 @@ Theorem features_exist K : simplicial K ->
   exists r phi alpha, 0 < r /\ 0 < phi <= PI / 4 /\ 0 < alpha <= PI /\ features K r phi alpha.
 Admitted.
 
-(** Goal 3: the points of the construction are placed: arc points ... *)
-Theorem arc_points_are_placed K r phi beta d h alpha v w z theta t :
+(** Goal 3: "consecutive" implies legal. That the construction's arc points and protectors
+    are placed is proved (PlacedArcs, PlacedPoints). Left: on its own arc a spoke is beside
+    the other arc points and clear of everything else the construction puts on the
+    boundary of its face; the same for rectangles. (Lemmas: VertexCells.S_vs_protector,
+    S_vs_directions_outside; for R the angle at the ends.) *)
+Definition boundary_point r beta d v w z x :=
+  (exists theta t, corner_angle v w z theta /\ beta <= t <= theta - beta /\ x = vadd v (arc_vec r v w z t)) \/
+  (exists k, r * cos beta <= k <= dist v w - r * cos beta /\
+     x = vadd v (vadd (vscale k (dir v w)) (vscale d (offset v w z)))).
+Theorem consecutive_spokes_are_legal K r phi beta d h alpha v w z t1 t2 c p a b e x :
   simplicial K -> features K r phi alpha -> setting r phi beta d h alpha ->
-  has K (Tri v w z) -> corner_angle v w z theta -> beta <= t <= theta - beta ->
-  placed r beta d (Tri v w z) (vadd v (arc_vec r v w z t)).
+  S_cell K r beta h v w z t1 t2 c p -> same_tri v w z a b e -> boundary_point r beta d a b e x ->
+  (forall t, t1 < t < t2 -> x <> vadd v (arc_vec r v w z t)) ->
+  dot (arc_vec 1 v w z ((t1 + t2) / 2)) (vsub x v) <= norm (vsub x v) * cos ((t2 - t1) / 2) \/
+  clear_of h (vadd v (arc_vec r v w z t1)) (vadd v (arc_vec r v w z t2)) x.
 Admitted.
-(** ... and protectors; *)
-Theorem protectors_are_placed K r phi beta d h alpha v w z k :
+Theorem consecutive_rectangles_are_legal K r phi beta d h alpha v w z x1 x2 c p a b e x :
   simplicial K -> features K r phi alpha -> setting r phi beta d h alpha ->
-  has K (Tri v w z) -> r * cos beta <= k <= dist v w - r * cos beta ->
-  placed r beta d (Tri v w z) (vadd v (vadd (vscale k (dir v w)) (vscale d (offset v w z)))).
+  R_cell K r beta d h v w z x1 x2 c p -> same_tri v w z a b e -> boundary_point r beta d a b e x ->
+  (forall k, x1 < k < x2 -> x <> vadd v (vadd (vscale k (dir v w)) (vscale d (offset v w z)))) ->
+  EdgeCells.not_between x1 x2 (dot (dir v w) (vsub x v)) \/
+  clear_of h (vadd v (vadd (vscale x1 (dir v w)) (vscale d (offset v w z))))
+             (vadd v (vadd (vscale x2 (dir v w)) (vscale d (offset v w z)))) x.
 Admitted.
 
 (** Goal 4 (Chew's refinement): inner points can be chosen so that all is legal. With the
