@@ -22,11 +22,11 @@ Theorem features_exist K : simplicial K ->
   exists r phi alpha, 0 < r /\ 0 < phi <= PI / 4 /\ 0 < alpha <= PI /\ features K r phi alpha.
 Admitted.
 
-(** Goal 3: "consecutive" implies legal. That the construction's arc points and protectors
-    are placed is proved (PlacedArcs, PlacedPoints). Left: on its own arc a spoke is beside
-    the other arc points and clear of everything else the construction puts on the
-    boundary of its face; the same for rectangles. (Lemmas: VertexCells.S_vs_protector,
-    S_vs_directions_outside; for R the angle at the ends.) *)
+(** Goal 3: "consecutive" implies legal, assembled. That arc points and protectors are placed
+    is proved (PlacedArcs, PlacedPoints), and so are the parts of legality (Legality: arcs
+    and protectors at the same corner, far points, arcs at a rectangle's end). Left: the
+    case distinction over the six readings of the face, and rectangles against the
+    protectors of the face's other two edges. *)
 Definition boundary_point r beta d v w z x :=
   (exists theta t, corner_angle v w z theta /\ beta <= t <= theta - beta /\ x = vadd v (arc_vec r v w z t)) \/
   (exists k, r * cos beta <= k <= dist v w - r * cos beta /\
