@@ -23,4 +23,4 @@ Extract Inlined Constant Z.opp => "Zint.unused".
 Extract Inlined Constant Z.compare => "Zint.unused".
 Extraction "check.ml" check
   same_point between load_vertices load_steiner load_segments load_pairs context_of plane_of on_plane cell_shape cell_sphere locate tiling_ok judge query
-  facet_vertices_ok hanging_ok subsegment_ok segment_between used mem power diametral common ball_in_box vsub.
+  facet_vertices_ok hanging_ok subsegment_ok segment_between used mem power diametral common vsub vcross smallest corner_in.

@@ -128,6 +128,7 @@ let read_point r dimension =
   space r;
   let z = if dimension = 3 then (let z = integer r in space r; z) else Z.zero in
   let w = integer r in
+  finish r;
   let stop = r.pos in
   r.pos <- at;
   if Z.sign w <= 0 then fail r "E-VALUE" "W is not positive";

@@ -187,10 +187,10 @@ let certificate s (c : Reader.certificate) =
       let boxes =
         if used.(g) then []
         else
-          let rec go a = function
-            | [] -> [ Witness.subsegment_box s.g s.points.(a) s.points.(b) ]
-            | m :: ms -> let q = Witness.subsegment_box s.g s.points.(a) s.points.(m) in q :: go m ms in
-          go a ms in
+          let rec go acc a = function
+            | [] -> List.rev (Witness.subsegment_box s.g s.points.(a) s.points.(b) :: acc)
+            | m :: ms -> go (Witness.subsegment_box s.g s.points.(a) s.points.(m) :: acc) m ms in
+          go [] a ms in
       (List.rev (List.rev_map s.key ms), boxes)) c.plc.segments in
   { d_steiner = steiner s.key c; d_cells = Array.to_list cells; d_points = Array.to_list s.points; d_segments = Array.to_list segments;
     d_scale = s.g; d_tree = Witness.tree s.g s.key s.points }
@@ -200,7 +200,7 @@ let hanging_records s (c : Reader.certificate) =
   let used = hanging_segments c s in
   let n = Array.length c.hanging in
   let at = ref 0 in
-  Array.iteri (fun g (a, b) ->
+  Array.iteri (fun g (a0, b) ->
       let start = !at in
       if not used.(g) then begin
         let rec go a ms =
@@ -212,13 +212,13 @@ let hanging_records s (c : Reader.certificate) =
           if a' <> a then reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d-not-next" !at a';
           if b' <> next then begin
             (* passing over a point of the segment, or leaving it *)
-            if not (b' = b || List.mem b' s.chains.(g)) then reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d-not-on-segment" !at b';
+            if not (b' = a0 || b' = b || List.mem b' s.chains.(g)) then reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d-not-on-segment" !at b';
             if not (b' = b || List.mem b' ms) then reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d-not-forward" !at b';
             reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d" !at next
           end;
           incr at;
           match ms with [] -> () | m :: ms -> go m ms in
-        go a s.chains.(g)
+        go a0 s.chains.(g)
       end
       else if !at < n then
         let g', _, _ = c.hanging.(!at) in
@@ -274,7 +274,9 @@ let diagnose s (c : Reader.certificate) (d : certificate) =
           | None -> reject "complex" c.plc.facets.(tc.facet).f_line "facet-%d" tc.facet
           | Some x -> if not (cell_shape s.table x (cell_of s tc Witness.nowhere)) then begin
               List.iter (fun v -> if not (corner_in s.table x (s.key v)) then reject "cell" (c.t_line + i) "cell-%d-point-%d" i v) [ tc.a; tc.b; tc.c ];
-              reject "cell" (c.t_line + i) "cell-%d-orientation" i
+              let l = Option.get (locate s.table (cell_of s tc Witness.nowhere)) in
+              let clockwise = let u = vsub l.l_b l.l_a and v = vsub l.l_c l.l_a in Z.sign (smallest l.l_w l.l_a u v (vcross u v)).s_d > 0 in
+              reject "cell" (c.t_line + i) "cell-%d-%s" i (if clockwise then "clockwise" else "collinear")
             end) c.cells;
       tiling s c;
       let tied = ref None in
@@ -307,7 +309,12 @@ let diagnose s (c : Reader.certificate) (d : certificate) =
             let ends = s.chains.(g) @ [ b ] in
             let _, boxes = List.nth d.d_segments g in
             ignore (List.fold_left2 (fun a b q ->
-                if not (subsegment_ok s.table d.d_tree s.g (s.key a) (s.key b) q) then reject "hanging" !line "subsegment-%d" (!line - c.h_line);
+                if not (subsegment_ok s.table d.d_tree s.g (s.key a) (s.key b) q) then begin
+                  let ((w, u), v), _ = common s.points.(a) s.points.(b) s.points.(a) in
+                  let sphere = diametral w u (vsub v u) in
+                  Array.iteri (fun i p -> if i <> a && i <> b && Z.sign (power sphere p) <= 0 then reject "hanging" !line "subsegment-%d-point-%d" (!line - c.h_line) i) s.points;
+                  reject "hanging" !line "subsegment-%d" (!line - c.h_line)
+                end;
                 incr line;
                 b) a ends boxes)
           end) c.plc.segments;
