@@ -35,7 +35,7 @@ void read_rows(TextParser& parser, const Header& header, Input& input) {
   const std::size_t fields = attributes_end + static_cast<std::size_t>(header.markers);
   const std::string layout = fmt::format("a vertex row is: index, {} coordinates, {} attributes, {} marker(s)",
                                          header.dimension, header.attributes, header.markers);
-  int expected = 0;
+  long long expected = 0;
   for (int i = 0; i < header.count; ++i) {
     parser.need_row("vertices", i, header.count);
     InputVertex vertex;
@@ -43,13 +43,14 @@ void read_rows(TextParser& parser, const Header& header, Input& input) {
     if (i == 0) {
       // Everything else is counted from here.
       parser.need_fields(fields, fields, layout);
-      expected = parser.integer(0, "index of the first vertex");
+      input.first_index = parser.integer(0, "index of the first vertex");
       parser.problems().throw_if_any();
-      if (expected != 0 && expected != 1) {
-        parser.problems().stop("E-INDEX", parser.place(0),
-                               fmt::format("the first vertex has index {}: number the vertices from 0 or 1", expected));
+      if (input.first_index != 0 && input.first_index != 1) {
+        parser.problems().stop(
+            "E-INDEX", parser.place(0),
+            fmt::format("the first vertex has index {}: number the vertices from 0 or 1", input.first_index));
       }
-      input.first_index = expected;
+      expected = input.first_index;
     }
     if (parser.has_fields(fields, fields, layout)) {
       expected = parser.row_index(0, "vertex row", expected);

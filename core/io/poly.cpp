@@ -56,7 +56,7 @@ class PolygonCursor {
 std::vector<std::array<double, 3>> read_points(TextParser& parser, int count, const Input& input, const char* section) {
   const std::size_t fields = 1 + static_cast<std::size_t>(input.dimension);
   std::vector<std::array<double, 3>> points;
-  int expected = input.first_index;
+  long long expected = input.first_index;
   for (int i = 0; i < count; ++i) {
     parser.need_row(section, i, count);
     if (!parser.has_fields(fields, fields,
@@ -80,7 +80,7 @@ void read_holes_and_regions(TextParser& parser, Input& input) {
   parser.need_fields(1, 1, fmt::format("number of regions ({} holes were announced)", holes));
   const int regions = parser.count(0, "number of regions");
   const std::size_t fields = 2 + static_cast<std::size_t>(input.dimension);
-  int expected = input.first_index;
+  long long expected = input.first_index;
   for (int i = 0; i < regions; ++i) {
     parser.need_row("regions", i, regions);
     if (!parser.has_fields(fields, fields + 1, "a region row is: index, coordinates, attribute, and perhaps a bound")) {
@@ -106,7 +106,7 @@ void read_segments(TextParser& parser, Input& input) {
   const int markers = parser.choice(1, "number of markers", 0, 1);
   input.has_markers = input.has_markers || markers == 1;
   const std::size_t fields = 3 + static_cast<std::size_t>(markers);
-  int expected = input.first_index;
+  long long expected = input.first_index;
   for (int i = 0; i < count; ++i) {
     parser.need_row("segments", i, count);
     if (!parser.has_fields(fields, fields,

@@ -130,7 +130,7 @@ int TextParser::choice(std::size_t field, const char* name, int least, int most)
                       : fmt::format("{} must be from {} to {}, not {}", name, least, most, quoted(text(field))));
 }
 
-int TextParser::row_index(std::size_t field, const char* row, int expected) {
+long long TextParser::row_index(std::size_t field, const char* row, long long expected) {
   int value = 0;
   const NumberStatus status = parse_integer(text(field), value);
   if (status == NumberStatus::ok && value == expected) return expected + 1;
@@ -139,7 +139,7 @@ int TextParser::row_index(std::size_t field, const char* row, int expected) {
                    fmt::format("{} {} where {} is next: rows are numbered one by one from the first vertex's number",
                                row, quoted(text(field)), expected));
     // Go on from here, so that one missing row is one problem.
-    return value < std::numeric_limits<int>::max() ? value + 1 : value;
+    return static_cast<long long>(value) + 1;
   }
   problems_->add("E-NUMBER", place(field), fmt::format("{} {} is not a decimal integer", row, quoted(text(field))));
   return expected + 1;

@@ -57,7 +57,7 @@ class TextParser {
   /// A small number from the header; stops with E-NUMBER, or with E-VALUE if it is outside.
   int choice(std::size_t field, const char* name, int least, int most);
   /// The number at the beginning of a row, which must be the expected one (E-INDEX). Returns the next to expect.
-  int row_index(std::size_t field, const char* row, int expected);
+  long long row_index(std::size_t field, const char* row, long long expected);
   /// A vertex by the file's numbering, made 0-based; reports E-INDEX and yields 0.
   int vertex(std::size_t field, int first_index, std::size_t vertex_count);
 

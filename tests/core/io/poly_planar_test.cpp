@@ -155,6 +155,15 @@ BOOST_AUTO_TEST_CASE(malformed) {
                 {"binary", std::string("4 2 1 1\n1 0 0 \0\0", 16), "E-FIELDS", 2, 9}});
 }
 
+BOOST_AUTO_TEST_CASE(the_largest_row_number_has_a_successor) {
+  // Once 2^31 - 1, plus one, in 32 bits: found by damage under -fsanitize=undefined.
+  const std::vector<Problem> problems =
+      test::problems_of(".poly", "2 2 0 0\n1 0 0\n2 1 0\n0 0\n3\n2147483647 0 0\n2 0\n3 0 0\n");
+  BOOST_REQUIRE_EQUAL(problems.size(), 3);
+  BOOST_TEST(problems[1].code == "E-FIELDS");
+  BOOST_TEST(problems[2].place.line == 8);
+}
+
 BOOST_AUTO_TEST_CASE(problems_are_collected) {
   const std::vector<Problem> problems =
       test::problems_of(".poly", "3 2 0 0\n1 0 0\n2 1 x\n4 0 1\n2 0\n1 1 2\n2 2 9\n0\n");
