@@ -30,16 +30,17 @@ type plc = {
   last : int;
 }
 
-type cell = { facet : int; a : int; b : int; c : int; offset : (Z.t * Z.t) option }
+type cell = { facet : int; a : int; b : int; c : int; box : int; (* -1: none *) offset : (Z.t * Z.t) option }
+type row = { r_line : int; segment : int; side : (int * bool) option; (* facet, left *) members : int array }
 
 type certificate = {
   plc : plc;
   q_line : int;
   steiner : (point * carrier) array;
+  is_offset : bool array; (* Steiner points of kind offset *)
   t_line : int;
   cells : cell array;
-  boxes : int;
-  rows : int;
+  rows : row array;
   h_line : int;
   hanging : (int * int * int) array;
   end_line : int;
@@ -297,7 +298,8 @@ let certificate text =
         | "projection" | "edge" -> Segment (below r s "segment")
         | _ -> Facet (below r f "facet") in
       space r;
-      (read_point r plc.dimension, carrier)) in
+      ((read_point r plc.dimension, carrier), kind = "offset")) in
+  let is_offset = Array.map snd steiner and steiner = Array.map fst steiner in
   let points = n + q in
   let t = header r "cells" ~before:(tagged "q") in
   let t_line = r.line + 1 in
@@ -316,6 +318,7 @@ let certificate text =
       let kind = peek r in
       (match kind with 'T' | 'S' | 'R' | 'C' -> r.pos <- r.pos + 1 | _ -> syntax r "an unknown kind of cell");
       if not (ends (peek r)) then syntax r "an unknown kind of cell";
+      let box = if kind <> 'R' then -1 else !boxes - if !half then 1 else 0 in
       if kind = 'R' then begin
         space r;
         let x = number r in
@@ -343,7 +346,7 @@ let certificate text =
           r.pos <- stop;
           Some (num, den)
         end in
-      { facet; a; b; c; offset }) in
+      { facet; a; b; c; box; offset }) in
   let rows =
     next r;
     if starts r "t" then fail r "E-COUNT" "more cells than announced";
@@ -353,7 +356,7 @@ let certificate text =
     finish r;
     x in
   let last = ref None in
-  for _ = 1 to rows do
+  let blocks = collect rows (fun _ ->
     next r;
     if (not (starts r "r")) && (starts r "hanging" || bare r) then fail r "E-COUNT" "another number of records than announced";
     word r "r"; space r;
@@ -362,7 +365,8 @@ let certificate text =
     let at = r.pos in
     let m = number r in
     if m < 2 then (r.pos <- at; fail r "E-VALUE" "a row has at least two points");
-    let key =
+    let r_line = r.line in
+    let (_, facet, side) as key =
       if r.pos = r.eol then (segment, -1, 0)
       else begin
         space r;
@@ -375,8 +379,8 @@ let certificate text =
     finish r;
     ordered r compare last key;
     let after r = starts r "r" || starts r "hanging" in
-    ignore (records r m ~is:bare ~after (fun _ -> below r points "point"))
-  done;
+    let members = records r m ~is:bare ~after (fun _ -> below r points "point") in
+    { r_line; segment; side = (if facet < 0 then None else Some (facet, side = 0)); members }) in
   next r;
   if starts r "r" || bare r then fail r "E-COUNT" "more rows than announced";
   word r "hanging"; space r;
@@ -410,4 +414,4 @@ let certificate text =
   for i = r.pos to r.eol - 1 do if not (is_hex text.[i]) then (r.pos <- i; syntax r "a lower-case hexadecimal digit expected") done;
   let digest = String.sub text r.pos 64 in
   nothing_after r;
-  { plc; q_line; steiner; t_line; cells; boxes = !boxes; rows; h_line; hanging; end_line; digest; digest_found = Sha256.hex text 0 stop }
+  { plc; q_line; steiner; is_offset; t_line; cells; rows = blocks; h_line; hanging; end_line; digest; digest_found = Sha256.hex text 0 stop }

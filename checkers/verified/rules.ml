@@ -5,9 +5,9 @@ module Integer = Z
 open Check
 module Z = Integer
 
-exception Rejected of string * int * string
+exception Rejected = Extras.Rejected
 
-let reject rule line fmt = Printf.ksprintf (fun what -> raise (Rejected (rule, line, what))) fmt
+let reject = Extras.reject
 
 type state = {
   complex : complex;
@@ -75,7 +75,7 @@ let prepare (c : Reader.certificate) =
   let chains = Array.mapi (fun s l -> Witness.chain points (fst plc.segments.(s)) l) carried in
   { complex; key; given; g; points; table; segment_of; chains; vertices; coplanar = plc.dimension = 3 && all_coplanar points }
 
-let holds rule n what = Printf.printf "rule %-9s holds: %d %s\n%!" rule n what
+let holds = Extras.holds
 
 (* the violation with the smallest line *)
 type worst = { mutable at : (int * string) option }
@@ -278,6 +278,7 @@ let diagnose s (c : Reader.certificate) (d : certificate) =
               let clockwise = let u = vsub l.l_b l.l_a and v = vsub l.l_c l.l_a in Z.sign (smallest l.l_w l.l_a u v (vcross u v)).s_d > 0 in
               reject "cell" (c.t_line + i) "cell-%d-%s" i (if clockwise then "clockwise" else "collinear")
             end) c.cells;
+      Extras.box s.given c;
       tiling s c;
       let tied = ref None in
       Array.iteri (fun i (tc : Reader.cell) ->
