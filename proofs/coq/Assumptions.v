@@ -17,6 +17,19 @@ Require Confidel.lemmas.Protectors.
 Require Confidel.lemmas.Space.
 Require Confidel.lemmas.SpokeBulge.
 Require Confidel.lemmas.VertexCells.
+Require Confidel.theorem.Complex.
+Require Confidel.theorem.FaceGeometry.
+Require Confidel.theorem.InFace.
+Require Confidel.theorem.InFaceEdge.
+Require Confidel.theorem.Legality.
+Require Confidel.theorem.OffFaceEdge.
+Require Confidel.theorem.OffFaceVertex.
+Require Confidel.theorem.PlacedArcs.
+Require Confidel.theorem.PlacedPoints.
+Require Confidel.theorem.Placement.
+Require Confidel.theorem.Separation.
+Require Confidel.theorem.Setting.
+Require Confidel.theorem.Theorem31.
 Goal True. idtac "THEOREM Confidel.lemmas.Alignment.align_2D". exact I. Qed. Print Assumptions Confidel.lemmas.Alignment.align_2D.
 Goal True. idtac "THEOREM Confidel.lemmas.Alignment.align_2D_any_row". exact I. Qed. Print Assumptions Confidel.lemmas.Alignment.align_2D_any_row.
 Goal True. idtac "THEOREM Confidel.lemmas.Alignment.depth_bound". exact I. Qed. Print Assumptions Confidel.lemmas.Alignment.depth_bound.
@@ -127,3 +140,18 @@ Goal True. idtac "THEOREM Confidel.lemmas.VertexCells.S_vs_far". exact I. Qed. P
 Goal True. idtac "THEOREM Confidel.lemmas.VertexCells.S_vs_far_from_arc". exact I. Qed. Print Assumptions Confidel.lemmas.VertexCells.S_vs_far_from_arc.
 Goal True. idtac "THEOREM Confidel.lemmas.VertexCells.S_vs_protector". exact I. Qed. Print Assumptions Confidel.lemmas.VertexCells.S_vs_protector.
 Goal True. idtac "THEOREM Confidel.lemmas.VertexCells.S_reach". exact I. Qed. Print Assumptions Confidel.lemmas.VertexCells.S_reach.
+Goal True. idtac "THEOREM Confidel.theorem.InFace.T_in_face". exact I. Qed. Print Assumptions Confidel.theorem.InFace.T_in_face.
+Goal True. idtac "THEOREM Confidel.theorem.InFace.S_in_face". exact I. Qed. Print Assumptions Confidel.theorem.InFace.S_in_face.
+Goal True. idtac "THEOREM Confidel.theorem.InFaceEdge.R_in_face". exact I. Qed. Print Assumptions Confidel.theorem.InFaceEdge.R_in_face.
+Goal True. idtac "THEOREM Confidel.theorem.Legality.arc_beside_spoke". exact I. Qed. Print Assumptions Confidel.theorem.Legality.arc_beside_spoke.
+Goal True. idtac "THEOREM Confidel.theorem.Legality.protector_beside_spoke". exact I. Qed. Print Assumptions Confidel.theorem.Legality.protector_beside_spoke.
+Goal True. idtac "THEOREM Confidel.theorem.Legality.far_from_corner_clear". exact I. Qed. Print Assumptions Confidel.theorem.Legality.far_from_corner_clear.
+Goal True. idtac "THEOREM Confidel.theorem.Legality.arc_beside_rectangle". exact I. Qed. Print Assumptions Confidel.theorem.Legality.arc_beside_rectangle.
+Goal True. idtac "THEOREM Confidel.theorem.OffFaceEdge.R_off_face". exact I. Qed. Print Assumptions Confidel.theorem.OffFaceEdge.R_off_face.
+Goal True. idtac "THEOREM Confidel.theorem.OffFaceEdge.C_off_face". exact I. Qed. Print Assumptions Confidel.theorem.OffFaceEdge.C_off_face.
+Goal True. idtac "THEOREM Confidel.theorem.OffFaceVertex.T_off_face". exact I. Qed. Print Assumptions Confidel.theorem.OffFaceVertex.T_off_face.
+Goal True. idtac "THEOREM Confidel.theorem.OffFaceVertex.S_off_face". exact I. Qed. Print Assumptions Confidel.theorem.OffFaceVertex.S_off_face.
+Goal True. idtac "THEOREM Confidel.theorem.PlacedArcs.arc_points_are_placed". exact I. Qed. Print Assumptions Confidel.theorem.PlacedArcs.arc_points_are_placed.
+Goal True. idtac "THEOREM Confidel.theorem.PlacedPoints.protectors_are_placed". exact I. Qed. Print Assumptions Confidel.theorem.PlacedPoints.protectors_are_placed.
+Goal True. idtac "THEOREM Confidel.theorem.Setting.setting_exists". exact I. Qed. Print Assumptions Confidel.theorem.Setting.setting_exists.
+Goal True. idtac "THEOREM Confidel.theorem.Theorem31.theorem_3_1_repaired". exact I. Qed. Print Assumptions Confidel.theorem.Theorem31.theorem_3_1_repaired.
