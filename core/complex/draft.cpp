@@ -10,7 +10,12 @@
 namespace confidel::building {
 
 void Draft::add_problem(const std::string& code, int line, const std::string& message) {
-  problems.push_back({code, {input.file, line, 0}, message});
+  Problem problem;
+  problem.code = code;
+  problem.place.file = input.file;
+  problem.place.line = line;
+  problem.message = message;
+  problems.push_back(std::move(problem));
 }
 
 std::string Draft::line_name(int line) { return line > 0 ? fmt::format(" (line {})", line) : std::string(); }
