@@ -198,33 +198,29 @@ let certificate s (c : Reader.certificate) =
 (* Section 3: the records of a hanging segment are its subsegments in order. The check has proved the subsegments themselves. *)
 let hanging_records s (c : Reader.certificate) =
   let used = hanging_segments c s in
-  let n = Array.length c.hanging in
-  let at = ref 0 in
-  Array.iteri (fun g (a0, b) ->
-      let start = !at in
-      if not used.(g) then begin
-        let rec go a ms =
-          let next = match ms with [] -> b | m :: _ -> m in
-          if !at >= n then reject "hanging" (if !at > start then c.h_line + !at - 1 else c.plc.s_line + g) "segment-%d-not-covered" g;
-          let g', a', b' = c.hanging.(!at) in
-          if g' > g then reject "hanging" (if !at > start then c.h_line + !at - 1 else c.plc.s_line + g) "segment-%d-not-covered" g;
-          if g' < g then reject "hanging" (c.h_line + !at) "subsegment-%d-segment-%d-not-hanging" !at g';
-          if a' <> a then reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d-not-next" !at a';
-          if b' <> next then begin
-            (* passing over a point of the segment, or leaving it *)
-            if not (b' = a0 || b' = b || List.mem b' s.chains.(g)) then reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d-not-on-segment" !at b';
-            if not (b' = b || List.mem b' ms) then reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d-not-forward" !at b';
-            reject "hanging" (c.h_line + !at) "subsegment-%d-point-%d" !at next
-          end;
-          incr at;
-          match ms with [] -> () | m :: ms -> go m ms in
-        go a0 s.chains.(g)
-      end
-      else if !at < n then
-        let g', _, _ = c.hanging.(!at) in
-        if g' <= g then reject "hanging" (c.h_line + !at) "subsegment-%d-segment-%d-not-hanging" !at g') c.plc.segments;
-  if !at < n then (let g, _, _ = c.hanging.(!at) in reject "hanging" (c.h_line + !at) "subsegment-%d-segment-%d-not-hanging" !at g);
-  holds "hanging" n "records"
+  let w = { at = None } in
+  let groups = Array.make (Array.length c.plc.segments) [] in
+  for n = Array.length c.hanging - 1 downto 0 do
+    let g, a, b = c.hanging.(n) in
+    groups.(g) <- (n, a, b) :: groups.(g)
+  done;
+  Array.iteri (fun g (first, last) ->
+      if used.(g) then List.iter (fun (n, _, _) -> note w (c.h_line + n) "subsegment-%d-segment-%d-not-hanging" n g) groups.(g)
+      else begin
+        (* [ahead]: what is still to come after [a]; [line]: of the last record *)
+        let rec go line a ahead = function
+          | [] -> if ahead <> [] then note w line "segment-%d-not-covered" g
+          | (n, a', b') :: rest when a' = a && ahead <> [] && List.hd ahead = b' -> go (c.h_line + n) b' (List.tl ahead) rest
+          | (n, a', b') :: _ ->
+              let line = c.h_line + n in
+              if a' <> a then note w line "subsegment-%d-point-%d-not-next" n a'
+              else if not (b' = first || b' = last || List.mem b' s.chains.(g)) then note w line "subsegment-%d-point-%d-not-on-segment" n b'
+              else if not (List.mem b' ahead) then note w line "subsegment-%d-point-%d-not-forward" n b'
+              else note w line "subsegment-%d-point-%d" n (List.hd ahead) in
+        go (c.plc.s_line + g) first (List.rev (last :: List.rev s.chains.(g))) groups.(g)
+      end) c.plc.segments;
+  settle "hanging" w;
+  holds "hanging" (Array.length c.hanging) "records"
 
 (* ---- which rule? Only called when the check has said no ---- *)
 

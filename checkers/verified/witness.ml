@@ -71,7 +71,7 @@ let select idx key lo hi k =
 let union b c =
   { lox = Z.min b.lox c.lox; hix = Z.max b.hix c.hix; loy = Z.min b.loy c.loy; hiy = Z.max b.hiy c.hiy; loz = Z.min b.loz c.loz; hiz = Z.max b.hiz c.hiz }
 
-let leaf_size = 2
+let leaf_size = 1
 
 let tree g key points =
   let n = Array.length points in

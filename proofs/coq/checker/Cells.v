@@ -134,14 +134,19 @@ Proof.
   { intros y Hy. destruct (in_box_dec g (t_box c) y) as [B|B].
     - destruct (query_all _ _ Q y Hy B) as (k & p & c' & Ek & Ey & Py & F). unfold fine, judge in F. rewrite Ek in F.
       destruct (power_sound s p Sw' Sd Py) as (j & Jp & Ep). rewrite <- Ey.
-      destruct (Z.ltb_spec zero (power s p)) as [L|L].
-      + left. apply IZR_lt in L. rewrite Ep in L. unfold zero in L. apply (Rmult_lt_reg_l j); lra.
-      + right. destruct (Z.eqb_spec (power s p) zero) as [Z|Z]; cbn [andb] in F; [|discriminate].
-        destruct (on_plane (x_plane x) p) eqn:Op; [|discriminate].
-        split; [|split; [apply on_plane_sound; assumption|]].
-        * apply (f_equal IZR) in Z. rewrite Ep in Z. unfold zero in Z. apply Rmult_integral in Z. lra.
-        * exists k, p, c'. split; [exact Ek|]. split; [reflexivity|]. split; [exact Py|].
-          destruct (is_corner c k); [auto|]. destruct (tie_ok _ _ _ _ _ _ p); [auto|discriminate].
+      destruct (is_corner c k) eqn:Co.
+      + right. assert (Z : pow (centre s) (start s) (real p) = 0 /\ flat_at P N (real p)).
+        { unfold is_corner in Co. rewrite !orb_true_iff, !number_eqb_spec in Co.
+          destruct Co as [[Co|Co]|Co]; subst k; [rewrite Ea in Ek|rewrite Eb in Ek|rewrite Ec in Ek]; injection Ek; intros; subst p; unfold pow; split; try assumption; rewrite ?St in *; lra. }
+        split; [apply Z|]. split; [apply Z|]. exists k, p, c'. auto.
+      + destruct (Z.ltb_spec zero (power s p)) as [L|L].
+        * left. apply IZR_lt in L. rewrite Ep in L. unfold zero in L. apply (Rmult_lt_reg_l j); lra.
+        * right. destruct (Z.eqb_spec (power s p) zero) as [Z|Z]; cbn [andb] in F; [|discriminate].
+          destruct (on_plane (x_plane x) p) eqn:Op; [|discriminate].
+          split; [|split; [apply on_plane_sound; assumption|]].
+          -- apply (f_equal IZR) in Z. rewrite Ep in Z. unfold zero in Z. apply Rmult_integral in Z. lra.
+          -- exists k, p, c'. split; [exact Ek|]. split; [reflexivity|]. split; [exact Py|].
+             destruct (tie_ok _ _ _ _ _ _ p); [auto|discriminate].
     - left. pose proof (ball_in_box_sound g s _ y g_pos Sw' Sd Bx B). unfold pow. lra. }
   exists (centre s). unfold triple_of.
   assert (Aa : at_ (t_a c) = real pa) by (eapply at_find; eauto). assert (Ab : at_ (t_b c) = real pb) by (eapply at_find; eauto). assert (Ac : at_ (t_c c) = real pc) by (eapply at_find; eauto).

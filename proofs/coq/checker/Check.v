@@ -257,13 +257,14 @@ Definition is_corner (c : cell) k := number_eqb k (t_a c) || number_eqb k (t_b c
 (** Rules [emptiness] and [tie] for one cell and one point. *)
 Inductive verdict := Fine | Inside | Tied.
 Definition judge (m : points) sm t (x : context) (c : cell) (l : located) (s : sphere) (k : number) : verdict :=
-  match PositiveMap.find k m with
+  if is_corner c k then Fine   (* its power is zero: proved *)
+  else match PositiveMap.find k m with
   | None => Inside
   | Some (p, _) =>
       let q := power s p in
       if zero <? q then Fine
       else if (q =? zero) && on_plane (x_plane x) p
-      then if is_corner c k then Fine else if tie_ok m sm t x c l p then Fine else Tied
+      then if tie_ok m sm t x c l p then Fine else Tied
       else Inside end.
 Definition fine v := match v with Fine => true | _ => false end.
 Definition cell_ok (m : points) sm t (tr : tree) g (x : context) (c : cell) : bool :=
