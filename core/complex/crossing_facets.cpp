@@ -65,9 +65,11 @@ class FacetCrossings {
     if (common.size() == 3) {
       meeting = Meeting::area;
     } else {
+      const bool on_segment = common.size() == 2 && is_segment(make_segment(common[0], common[1]));
+      if ((common.size() < 2 || on_segment) && meet_in_common_corners(corners_of(first), corners_of(second))) return;
       meeting = meeting_of(corners_of(first), corners_of(second));
       // Triangles in different planes with two common corners meet in their common edge: right, if it is a segment.
-      if (meeting == Meeting::line && common.size() == 2 && is_segment(make_segment(common[0], common[1]))) return;
+      if (meeting == Meeting::line && on_segment) return;
     }
     if (meeting == Meeting::none) return;
     const std::pair<int, int> facets = std::minmax(first.facet, second.facet);

@@ -171,7 +171,7 @@ class FacetReader {
   void orient() {
     for (const Polygon& polygon : polygons_) {
       if (polygon.corners.size() < 3) continue;
-      if (loop_area_sign(polygon.corners) < 0)
+      if (polygon.corners.size() > 3 && loop_area_sign(polygon.corners) < 0)
         for (mpz_class& component : result_.normal) component = -component;
       break;
     }

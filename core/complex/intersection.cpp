@@ -2,6 +2,7 @@
 #include "core/complex/intersection.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace confidel::building {
 
@@ -21,6 +22,18 @@ bool cross_in_plane(Projection projection, const Point& a, const Point& b, const
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
+/// The projection in which two directions span the greatest area. Doubles choose.
+Projection broadest_projection(const std::array<double, 3>& u, const std::array<double, 3>& v) {
+  Projection projection;
+  double greatest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    const double area = std::abs(u[i] * v[j] - u[j] * v[i]);
+    if (area > greatest) greatest = area, projection.axis = axis;
+  }
+  return projection;
+}
+
 mpq_class coordinate(const Point& point, int axis) {
   mpq_class value(point.numerator(axis));
   if (point.exponent() >= 0)
@@ -30,11 +43,17 @@ mpq_class coordinate(const Point& point, int axis) {
   return value;
 }
 
+/// orientation, without asking the exact stage about corners that are the same.
+int orientation_of(const Point* a, const Point* b, const Point* c, const Point* d) {
+  if (a == b || a == c || a == d || b == c || b == d || c == d) return 0;
+  return orientation(*a, *b, *c, *d);
+}
+
 /// Signs of the corners of a triangle with respect to the plane of another one.
 std::array<int, 3> sides(const Corners& plane, const Corners& triangle) {
-  return {orientation(*plane[0], *plane[1], *plane[2], *triangle[0]),
-          orientation(*plane[0], *plane[1], *plane[2], *triangle[1]),
-          orientation(*plane[0], *plane[1], *plane[2], *triangle[2])};
+  std::array<int, 3> signs{};
+  for (int i = 0; i < 3; ++i) signs[i] = orientation_of(plane[0], plane[1], plane[2], triangle[i]);
+  return signs;
 }
 
 /// Rotates the triangle so that its first corner lies strictly on one side of the plane and the others on the closed
@@ -69,11 +88,32 @@ bool interiors_meet_in_plane(const Corners& first, const Corners& second) {
 
 }  // namespace
 
+namespace {
+
+/// Are c and d strictly on one side of the line ab, or a and b of cd, along the axis that shows most of them? Doubles
+/// choose the axis.
+bool separated_in_projection(const Point& a, const Point& b, const Point& c, const Point& d) {
+  std::array<double, 3> u{}, v{};
+  for (int axis = 0; axis < 3; ++axis) {
+    u[axis] = b.approximate(axis) - a.approximate(axis);
+    v[axis] = d.approximate(axis) - c.approximate(axis);
+  }
+  const Projection projection = broadest_projection(u, v);
+  const auto side = [&](const Point& p, const Point& q, const Point& r) {
+    return planar_orientation(projection, p, q, r);
+  };
+  return side(a, b, c) * side(a, b, d) > 0 || side(c, d, a) * side(c, d, b) > 0;
+}
+
+}  // namespace
+
 bool planar_segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
   return cross_in_plane(Projection{}, a, b, c, d);
 }
 
 bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  // What crosses, crosses in every projection; most neighbours in a flat part are told apart so, without exact zeros.
+  if (separated_in_projection(a, b, c, d)) return false;
   if (orientation(a, b, c, d) != 0 || (collinear(a, b, c) && collinear(a, b, d))) return false;
   return cross_in_plane(common_projection(a, b, c, d), a, b, c, d);
 }
@@ -99,6 +139,28 @@ bool segment_pierces(const Point& a, const Point& b, const Corners& triangle) {
   return *least * *greatest >= 0;
 }
 
+bool meet_in_common_corners(const Corners& first, const Corners& second) {
+  std::array<double, 3> u{}, v{};
+  for (int axis = 0; axis < 3; ++axis) {
+    u[axis] = first[1]->approximate(axis) - first[0]->approximate(axis);
+    v[axis] = first[2]->approximate(axis) - first[0]->approximate(axis);
+  }
+  const Projection projection = broadest_projection(u, v);
+  // In the projection, an edge of one with the other strictly beyond it, but for corners that are ends of the edge.
+  const auto separates = [&](const Corners& a, const Corners& b) {
+    const int inner = planar_orientation(projection, *a[0], *a[1], *a[2]);
+    for (int i = 0; inner != 0 && i < 3; ++i) {
+      const Point *from = a[i], *to = a[(i + 1) % 3];
+      if (std::all_of(b.begin(), b.end(), [&](const Point* corner) {
+            return corner == from || corner == to || planar_orientation(projection, *from, *to, *corner) * inner < 0;
+          }))
+        return true;
+    }
+    return false;
+  };
+  return separates(first, second) || separates(second, first);
+}
+
 Meeting meeting_of(const Corners& first, const Corners& second) {
   // Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates" (2003), with
   // strict comparisons: the two triangles cut intervals from the planes' common line; they meet in more than a point
@@ -115,8 +177,8 @@ Meeting meeting_of(const Corners& first, const Corners& second) {
   // around.
   if (t_side < 0) std::swap(s[1], s[2]);
   if (s_side < 0) std::swap(t[1], t[2]);
-  return orientation(*t[0], *t[1], *s[0], *s[1]) < 0 && orientation(*t[0], *t[2], *s[2], *s[0]) < 0 ? Meeting::line
-                                                                                                    : Meeting::none;
+  return orientation_of(t[0], t[1], s[0], s[1]) < 0 && orientation_of(t[0], t[2], s[2], s[0]) < 0 ? Meeting::line
+                                                                                                  : Meeting::none;
 }
 
 }  // namespace confidel::building

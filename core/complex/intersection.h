@@ -23,6 +23,10 @@ std::array<mpq_class, 3> crossing_point(const Point& a, const Point& b, const Po
 /// True iff the open segment ab passes through the plane of the triangle in a point of the closed triangle.
 bool segment_pierces(const Point& a, const Point& b, const Corners& triangle);
 
+/// Quick and one-sided: true only if the triangles meet in nothing but their common corners (the same Point objects)
+/// and, if these are two, the edge between them. Decides most neighbours without exact zeros.
+bool meet_in_common_corners(const Corners& first, const Corners& second);
+
 enum class Meeting {
   none,  ///< nothing in common, or one point
   line,  ///< in different planes; a piece of a line of positive length
