@@ -17,6 +17,7 @@ constexpr double points_per_facet_unit = 0.4;
 constexpr int descents = 4000;
 constexpr int greatest_depth = 60;
 constexpr double tiny = 1e-15;
+constexpr double far = 4;  // beyond everything in working coordinates
 
 using Triangle = std::array<Double3, 3>;
 
@@ -62,12 +63,18 @@ std::vector<int> planes_of(const Complex& complex) {
 class Surroundings {
  public:
   explicit Surroundings(const Complex& complex)
-      : planes_(planes_of(complex)), facets_of_(complex.segments.size()), blunt_(complex.facets.size()) {
+      : planes_(planes_of(complex)), facets_of_(complex.segments.size()),
+        segments_of_(complex.facets.size()), blunt_(complex.facets.size()) {
     std::vector<Box> boxes;
     for (std::size_t f = 0; f < complex.facets.size(); ++f) {
       for (const auto& [a, b, c] : complex.facets[f].triangles) add(complex, a, b, c, {planes_[f], static_cast<int>(f), -1}, boxes);
       for (const auto* edges : {&complex.facets[f].boundary, &complex.facets[f].constraints})
-        for (const auto& [a, b] : *edges) facets_of_[complex.find_segment(a, b)].push_back(static_cast<int>(f));
+        for (const auto& [a, b] : *edges) {
+          const SegmentId segment = complex.find_segment(a, b);
+          facets_of_[segment].push_back(static_cast<int>(f));
+          segments_of_[f].push_back(segment);
+        }
+      std::sort(segments_of_[f].begin(), segments_of_[f].end());
     }
     for (std::size_t s = 0; s < complex.segments.size(); ++s) {
       const auto [a, b] = complex.segments[s];
@@ -84,6 +91,23 @@ class Surroundings {
     return search(x, [plane, &blunt](const Labels& labels) {
       return labels[0] == plane || labels[0] == -2 || (labels[1] >= 0 && std::binary_search(blunt.begin(), blunt.end(), labels[1]));
     });
+  }
+
+  SegmentId nearest_own_segment(const Double3& x, FacetId facet) const {
+    Box box;
+    box.lower = box.upper = x;
+    const auto& own = segments_of_[facet];
+    SegmentId nearest = -1;
+    tree_.search(
+        Probe(box), far, [](const Labels& labels) { return labels[0] != -2 && labels[2] == -1 && labels[0] >= 0; },
+        [&](int item, double limit) {
+          const int segment = labels_[item][2];
+          if (segment < 0 || !std::binary_search(own.begin(), own.end(), segment)) return limit;
+          const double distance = distance_to_triangle(x, items_[item]);
+          if (distance < limit) nearest = segment;
+          return std::min(limit, distance);
+        });
+    return nearest;
   }
 
   double off_segment(const Double3& x, SegmentId segment) const {
@@ -142,12 +166,12 @@ class Surroundings {
   double search(const Double3& x, Excluded excluded) const {
     Box box;
     box.lower = box.upper = x;
-    return tree_.search(Probe(box), 4.0, excluded,
+    return tree_.search(Probe(box), far, excluded,
                         [&](int item, double limit) { return std::min(limit, distance_to_triangle(x, items_[item])); });
   }
 
   std::vector<int> planes_;
-  std::vector<std::vector<int>> facets_of_, blunt_;
+  std::vector<std::vector<int>> facets_of_, segments_of_, blunt_;
   std::vector<Triangle> items_;
   std::vector<Labels> labels_;
   BoundingVolumes tree_{{}};
@@ -222,18 +246,19 @@ struct FacetPiece {
 
   void weigh() {
     const Double3 x = (1.0 / 3) * (t[0] + t[1] + t[2]);
+    if (context->complex.facets.size() < 2) {  // nothing is off the only plane but hanging segments
+      small = true;
+      return;
+    }
     double distance = context->surroundings.off_plane(x, facet);
     // Inside a strip of width d the density is that at its rim; inside a ball likewise.
-    const Complex& complex = context->complex;
-    const Facet& own = complex.facets[facet];
     double factor = 1;
-    for (const auto* edges : {&own.boundary, &own.constraints})
-      for (const auto& [a, b] : *edges) {
-        const Double3 &p = complex.vertices[a].approximate(), &q = complex.vertices[b].approximate();
-        const double d = context->sizes.offset[complex.find_segment(a, b)];
-        factor = std::max({factor, d / std::max(distance_to_segment(x, p, q), tiny),
-                           context->sizes.radius[a] / std::max(length(x - p), tiny), context->sizes.radius[b] / std::max(length(x - q), tiny)});
-      }
+    if (const SegmentId nearest = context->surroundings.nearest_own_segment(x, facet); nearest >= 0) {
+      const auto [a, b] = context->complex.segments[nearest];
+      const Double3 p = context->complex.vertices[a].approximate(), q = context->complex.vertices[b].approximate();
+      factor = std::max({factor, context->sizes.offset[nearest] / std::max(distance_to_segment(x, p, q), tiny),
+                         context->sizes.radius[a] / std::max(length(x - p), tiny), context->sizes.radius[b] / std::max(length(x - q), tiny)});
+    }
     distance = std::max(distance * factor, tiny);
     const double area = 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
     mass = area / (distance * distance);

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/placement/pencil.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace confidel {
+namespace {
+
+mpq_class scaled(const mpz_class& value, int exponent) {
+  mpq_class result(value);
+  if (exponent >= 0)
+    mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), exponent);
+  else
+    mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), -exponent);
+  return result;
+}
+
+mpq_class power_of_two(int exponent) { return scaled(1, -exponent); }
+
+// The multiple of 2^-k in [low, high] for the smallest k that has one; of several the one of least magnitude.
+mpq_class simplest_dyadic(const mpq_class& low, const mpq_class& high) {
+  if (low <= 0 && high >= 0) return 0;
+  if (high < 0) return -simplest_dyadic(-high, -low);
+  const mpq_class width = high - low;
+  int k = 0;
+  // Start coarser than the interval and refine.
+  const double size = high.get_d();
+  if (size > 0 && std::isfinite(size)) k = -static_cast<int>(std::ceil(std::log2(size))) - 1;
+  for (;; ++k) {
+    const mpq_class grid = low * power_of_two(k);
+    mpz_class multiple;
+    mpz_cdiv_q(multiple.get_mpz_t(), grid.get_num().get_mpz_t(), grid.get_den().get_mpz_t());
+    const mpq_class candidate = mpq_class(multiple) * power_of_two(-k);
+    if (candidate <= high) return candidate;
+  }
+}
+
+}  // namespace
+
+Difference certificate_normal(const Complex& complex, const Facet& facet) {
+  const Point& base = complex.vertices[facet.frame[0]];
+  const Difference u = difference(complex.vertices[facet.frame[1]], base), w = difference(complex.vertices[facet.frame[2]], base);
+  return {cross(u.vector, w.vector), u.exponent + w.exponent};
+}
+
+mpq_class pencil_parameter(const Point& a, const Point& b, const Point& c, const Point& x, const Difference& normal) {
+  // Differences over one common exponent e: P0 = value / 2^(2e), n.(x-a) = value / 2^(normal.exponent + e).
+  const int e = std::max({a.exponent(), b.exponent(), c.exponent(), x.exponent()});
+  const auto to = [&](const Point& p) {
+    IntegerVector result;
+    for (int i = 0; i < 3; ++i)
+      result[i] = (p.numerator(i) << (e - p.exponent())) - (a.numerator(i) << (e - a.exponent()));
+    return result;
+  };
+  const IntegerVector u = to(b), w = to(c), d = to(x), n = cross(u, w);
+  const mpz_class nn = dot(n, n);
+  // |n|^2 P0 = |n|^2 |d|^2 - |u|^2 (d x w).n - |w|^2 (u x d).n, as in predicates.cpp.
+  const mpz_class power = nn * dot(d, d) - dot(u, u) * dot(cross(d, w), n) - dot(w, w) * dot(cross(u, d), n);
+  mpq_class result(power, mpz_class(2 * nn * dot(normal.vector, d)));
+  result.canonicalize();
+  // power/nn has 2^(2e), the product below 2^(normal.exponent + e).
+  const int shift = 2 * e - (normal.exponent + e);
+  if (shift >= 0)
+    mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), shift);
+  else
+    mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), -shift);
+  return result;
+}
+
+mpq_class choose_offset(const std::optional<mpq_class>& low, const std::optional<mpq_class>& high, double scale) {
+  if (!low && !high) return 0;
+  mpq_class margin;
+  if (low && high)
+    margin = (*high - *low) / 4;
+  else
+    margin = power_of_two(static_cast<int>(std::floor(std::log2(std::max(scale, 1e-300)))) - 2);
+  if (low && high) return simplest_dyadic(*low + margin, *high - margin);
+  // One side is open: not farther away than needed, or the sphere becomes huge.
+  if (low) return *low + margin <= 0 ? mpq_class(0) : simplest_dyadic(*low + margin, *low + 2 * margin);
+  return *high - margin >= 0 ? mpq_class(0) : simplest_dyadic(*high - 2 * margin, *high - margin);
+}
+
+}  // namespace confidel
