@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "apps/interrupt.h"
 #include "core/complex/input.h"
 
 extern char** environ;
@@ -87,6 +88,7 @@ CheckerRun run_checker(const std::string& certificate, const std::string& comple
     ::close(error[0]);
     throw FileError(program + ": the checker cannot be started: " + std::strerror(failure) + "; it is expected beside confidel or on PATH");
   }
+  const ChildProcess interrupted_too(child);
   std::array<std::string, 2> texts;
   drain({output[0], error[0]}, texts);
   ::close(output[0]);

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -13,12 +14,15 @@ namespace confidel {
 
 namespace {
 
-/// Only async-signal-safe things happen in the handler: it reads this pointer, unlinks and leaves.
-std::atomic<const char*> partial_name{nullptr};
-static_assert(std::atomic<const char*>::is_always_lock_free);
+/// Only async-signal-safe things happen in the handler: it reads these, unlinks, kills and leaves.
+std::array<std::atomic<const char*>, 4> partial_names{};
+std::atomic<pid_t> child_process{0};
+static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 extern "C" void leave(int) {
-  if (const char* name = partial_name.load()) unlink(name);
+  for (const auto& partial : partial_names)
+    if (const char* name = partial.load()) unlink(name);
+  if (const pid_t child = child_process.load(); child > 0) kill(child, SIGTERM);
   _exit(exit_interrupted);
 }
 
@@ -34,12 +38,21 @@ void handle_interrupts() {
 }
 
 PartialFile::PartialFile(const std::string& final_path) : name_(final_path + ".partial-" + std::to_string(getpid())) {
-  partial_name = name_.c_str();
+  for (auto& partial : partial_names) {
+    const char* none = nullptr;
+    if (partial.compare_exchange_strong(none, name_.c_str())) return;
+  }
 }
 
 PartialFile::~PartialFile() {
-  partial_name = nullptr;
   unlink(name_.c_str());
+  for (auto& partial : partial_names) {
+    const char* name = name_.c_str();
+    partial.compare_exchange_strong(name, nullptr);
+  }
 }
+
+ChildProcess::ChildProcess(pid_t child) { child_process = child; }
+ChildProcess::~ChildProcess() { child_process = 0; }
 
 }  // namespace confidel
