@@ -30,6 +30,17 @@ void write_all(std::FILE* stream, const std::string& name, const std::string& by
 
 }  // namespace
 
+void add_build_options(CLI::App& command, BuildOptions& options) {
+  using Merging = BuildOptions::Merging;
+  command.add_flag("--merge-identical", options.merge_identical_vertices, "Vertices with the same position are one vertex, not an error");
+  command
+      .add_option("--merge-coplanar", options.merge_coplanar,
+                  "Exactly coplanar neighbours (with equal markers) are one facet: on, off, or auto (on for triangle soups: .off, .obj, .stl, .ply, .mesh)")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Merging>{{"auto", Merging::automatic}, {"on", Merging::on}, {"off", Merging::off}}, CLI::ignore_case))
+      ->option_text("auto|on|off");
+}
+
 void print_problems(const InputError& error) {
   const std::size_t shown = std::min(shown_problems, error.problems.size());
   for (std::size_t i = 0; i < shown; ++i) {

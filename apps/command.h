@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "core/complex/build.h"
 #include "core/complex/input.h"
 
 namespace confidel {
@@ -30,6 +31,9 @@ struct Selection {
 void add_info(CLI::App& app, Selection& selection);
 void add_canonical(CLI::App& app, Selection& selection);
 void add_conform(CLI::App& app, Selection& selection);
+
+/// The options that decide what complex an input is: the same for every subcommand that reads one.
+void add_build_options(CLI::App& command, BuildOptions& options);
 
 /// The problems of a bad input on standard error: the first 20, then how many there are of each code.
 void print_problems(const InputError& error);

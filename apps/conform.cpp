@@ -15,6 +15,7 @@
 #include "core/features/features.h"
 #include "core/io/read.h"
 #include "core/placement/graded.h"
+#include "core/placement/lean.h"
 #include "proofs/certificate/writer.h"
 
 namespace confidel {
@@ -24,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ConformOptions {
-  std::string file, output, strategy = "graded";
+  std::string file, output, strategy = "lean";
   BuildOptions build;
   long max_points = 3'000'000;
   double time_limit = 0;
@@ -156,7 +157,14 @@ int run_conform(const ConformOptions& options) {
   limits.threads = options.threads;
   Placement placement;
   try {
-    placement = place_graded(complex, features, limits, run.meter);
+    if (options.strategy == "graded") {
+      placement = place_graded(complex, features, limits, run.meter);
+    } else {
+      LeanReport lean;
+      placement = place_lean(complex, features, limits, run.meter, &lean);
+      run.report["lean"] = {{"placed", lean.placed}, {"removed", lean.removed}, {"protected_by_graded", lean.fell_back}, {"reason", lean.reason}};
+      if (lean.fell_back) run.say("lean: {}; the whole input is protected as the graded strategy does\n", lean.reason);
+    }
   } catch (const LimitReached& limit) {
     return undecided(run, run.meter.reason() != nullptr ? run.meter.reason() : limit.what(), limit.points_reached);
   } catch (const StrategyFailed& failure) {
@@ -185,7 +193,8 @@ void add_conform(CLI::App& app, Selection& selection) {
       "conform", "Place Steiner points so that the Delaunay triangulation conforms; write a certificate and have it checked");
   command->add_option("FILE", options->file, "The input: .poly, .smesh, .off, .obj, .stl, .ply, .mesh")->required();
   command->add_option("-o,--output", options->output, "The certificate: .cert, or .cert.zst (compressed)")->required();
-  command->add_option("--strategy", options->strategy, "graded: the paper's strategy made local")->check(CLI::IsMember({"graded"}))->capture_default_str();
+  command->add_option("--strategy", options->strategy, "lean: as few points as possible; graded: the paper's strategy made local, protects everything")
+      ->check(CLI::IsMember({"lean", "graded"}))->capture_default_str();
   command->add_option("--max-points", options->max_points, "UNDECIDED when more points are needed; 0: no limit")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("--time-limit", options->time_limit, "UNDECIDED after this time, such as 90, 90s or 5m")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE));
@@ -193,7 +202,7 @@ void add_conform(CLI::App& app, Selection& selection) {
       ->transform(CLI::AsSizeValue(false));
   command->add_option("-j,--threads", options->threads, "Threads; 0: as many as the machine has. The result does not depend on it")
       ->check(CLI::NonNegativeNumber)->capture_default_str();
-  command->add_flag("--merge-identical", options->build.merge_identical_vertices, "Vertices with the same position are one vertex, not an error");
+  add_build_options(*command, options->build);
   command->add_flag("--json", options->json, "One JSON document on standard output; the verdict's line goes to standard error");
   command->add_flag("-q,--quiet", options->quiet, "Only the last line");
   command->footer("Example: confidel conform examples/w3.smesh -o w3.cert\nExit codes: 0 verified, 2 bad input, 3 undecided, 4 unreadable file, 70 internal error, 130 interrupted.");

@@ -257,8 +257,7 @@ void add_info(CLI::App& app, Selection& selection) {
   command->add_option("FILE", options->file, "The input: .poly, .smesh, .off, .obj, .stl, .ply, .mesh, .edg")
       ->required();
   command->add_flag("--json", options->json, "One JSON document on standard output");
-  command->add_flag("--merge-identical", options->build.merge_identical_vertices,
-                    "Vertices with the same position are one vertex, not an error");
+  add_build_options(*command, options->build);
   command->callback([options, &selection] { selection.run = [options] { return run_info(*options); }; });
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/complex/draft.h"
+#include "core/complex/merge.h"
 
 namespace confidel {
 
@@ -128,6 +129,14 @@ BuiltComplex build_complex(const Input& input, const BuildOptions& options) {
   built.complex.vertices = std::move(draft.vertices);
   built.report = std::move(draft.report);
   built.report.input_index = std::move(draft.origin);
+  using Merging = BuildOptions::Merging;
+  if (options.merge_coplanar == Merging::on || (options.merge_coplanar == Merging::automatic && input.triangle_soup)) {
+    const MergeSummary merged = merge_coplanar_facets(built.complex);
+    if (merged.segments_removed > 0)
+      built.report.remarks.push_back(std::to_string(merged.facets_before) + " facets are " + std::to_string(merged.facets_after) +
+                                     " after merging exactly coplanar neighbours; " + std::to_string(merged.segments_removed) +
+                                     " segments between them are no constraints (--merge-coplanar off keeps them)");
+  }
   return built;
 }
 

@@ -13,6 +13,9 @@ namespace confidel {
 struct BuildOptions {
   /// Bit-identical vertices are one vertex (.stl and soups after an explicit request); otherwise they are an error.
   bool merge_identical_vertices = false;
+  /// Merge exactly coplanar neighbours into one facet (merge.h): automatic means triangle soups only.
+  enum class Merging { automatic, on, off };
+  Merging merge_coplanar = Merging::automatic;
 };
 
 /// What was done to the input on the way that its author may want to know.
