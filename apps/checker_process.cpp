@@ -103,6 +103,8 @@ CheckerRun run_checker(const std::string& certificate, const std::string& comple
   const std::string lines = '\n' + texts[1];
   const std::size_t begin = lines.rfind("\ns ");
   run.verdict = begin == std::string::npos ? texts[1] : lines.substr(begin + 1, lines.find('\n', begin + 1) - begin - 1);
+  // A program that ends well without saying so was no checker.
+  if (run.exit_code == 0 && run.verdict != "s VERIFIED") run.exit_code = 70;
   return run;
 }
 
