@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """docs/lemmas.md and docs/proofs.md against proofs/coq: theorems exist in the files that the pages name, the table of axioms names every theorem,
-lemmas.md has every lemma, its code, rules and files exist. And no trusted file contains a statement without proof. Needs no Coq."""
+lemmas.md has every lemma, its code, rules and files exist. No trusted file contains a statement without proof, and
+the sizes in docs/trust-verified-checker.md are those of today. Needs no Coq."""
 import glob
 import os
 import re
@@ -112,7 +113,7 @@ def check_proofs(files, names):
     everything = set().union(*names.values()) | AXIOMS
     prose = "\n".join(line for line in (before + after).split("\n") if not line.startswith("|"))
     prose = re.sub(r"^```.*?^```", "", prose, flags=re.M | re.S)
-    for name in re.findall(r"(?<![\w./*{^])[A-Za-z]\w*_\w+", prose):
+    for name in re.findall(r"(?<![\w./*{^])[A-Za-z]\w*_\w+\b(?!\.\w)", prose):
         count += 1
         expect(name in everything or name == "m_B" or re.match(r"m_\d+$", name), "proofs.md: no %s" % name)
     listed = {}
@@ -136,6 +137,23 @@ def check_gaps(files):
         expect(not re.search(r"Require.*\bRemaining\b", text), "proofs/coq/%s.v uses the open goals" % path)
 
 
+def check_sizes():
+    """The lines that trust-verified-checker.md counts, to within a tenth."""
+    page = read("docs", "trust-verified-checker.md")
+    def lines(*paths):
+        return sum(read(path).count("\n") for path in paths)
+    proofs, ours = "proofs/coq/checker/", "checkers/verified/"
+    definitions = [proofs + "Space.v", proofs + "Statement.v"]
+    rest = [os.path.relpath(path, ROOT) for path in glob.glob(os.path.join(COQ, "checker", "*.v"))]
+    rest = [path for path in rest if path not in definitions + [proofs + "Check.v"]]
+    for shown, count in ((r"`Space.v`, `Statement.v` \| (\d+) \|", lines(*definitions)), (r"\((\d+) lines together", lines(*definitions)),
+                         (r"`Extract.v` \| (\d+) \|", lines(ours + "Extract.v")), (r"`main.ml` \| (\d+) \|", lines(ours + "main.ml")),
+                         (r"`reader.ml`, `sha256.ml` \| (\d+) \|", lines(ours + "reader.ml", ours + "sha256.ml")),
+                         (r"`Check.v`, (\d+) lines", lines(proofs + "Check.v")), (r"proofs: (\d+) lines", lines(*rest))):
+        match = re.search(shown, page)
+        expect(match and abs(int(match.group(1)) - count) <= count / 10, "trust-verified-checker.md: %s is %d today" % (shown, count))
+
+
 def self_test(files, names):
     """The checks can fail."""
     def failing(action):
@@ -156,6 +174,7 @@ def main():
     names = {path: {name for _, name in STATEMENT.findall(text)} for path, text in files.items()}
     self_test(files, names)
     check_gaps(files)
+    check_sizes()
     counts = check_lemmas(files, names), check_proofs(files, names)
     for failure in failures:
         print("FAILED " + failure)
