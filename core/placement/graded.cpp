@@ -102,9 +102,10 @@ class Refinement {
   void index_new_points() {
     for (int id = static_cast<int>(all_.size()); id < zones_.point_count(); ++id) all_.insert(id, zones_.point(id).approximate());
     progress_.at("placing points", zones_.point_count());
-    estimate();
+    const bool stopped = progress_.stop_requested(zones_.point_count());
+    estimate(stopped || (limits_.max_points > 0 && zones_.point_count() > limits_.max_points));
     if (limits_.max_points > 0 && zones_.point_count() > limits_.max_points) throw LimitReached("max-points", zones_.point_count());
-    if (progress_.stop_requested(zones_.point_count())) throw LimitReached("stopped", zones_.point_count());
+    if (stopped) throw LimitReached("stopped", zones_.point_count());
   }
 
   // An index of the points since a given one; cells that were free before need to be tested against these only.
@@ -143,10 +144,9 @@ class Refinement {
     return encroached(index, projections_[protector.facet], *a, *b, zones_.point(protector.points[i]), a, b);
   }
 
-  // Once, when the pilot's points are used up: what is known to be open is extrapolated.
-  void estimate() {
-    const bool limited = limits_.max_points > 0 && zones_.point_count() > limits_.max_points;
-    if (estimated_ || (zones_.point_count() <= pilot_points && !limited)) return;
+  // Once, when the pilot's points are used up or a limit ends the run: what is known to be open is extrapolated.
+  void estimate(bool at_once) {
+    if (estimated_ || (zones_.point_count() <= pilot_points && !at_once)) return;
     estimated_ = true;
     std::vector<OpenInterval> intervals;
     for (const auto& row : zones_.rows())
