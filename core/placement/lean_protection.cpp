@@ -264,6 +264,8 @@ void LeanProtection::activate_segment(SegmentId s) {
 void LeanProtection::split_arc(int index, std::size_t i) {
   Sector& sector = sectors_[index];
   const double angle = (sector.arc[i].angle + sector.arc[i + 1].angle) / 2;
+  if ((sector.arc[i + 1].angle - sector.arc[i].angle) * state_.sizes().radius[sector.vertex] < 64 * tolerance(sector.vertex))
+    throw LeanGivesUp("an arc is too short to be split");
   const int id = state_.put_in_facet(sector.facet, arc_point(sector, angle), PointKind::arc, sector.arc[i].point);
   note_sector(id, index);
   sector.arc.insert(sector.arc.begin() + static_cast<long>(i) + 1, {angle, id});
@@ -401,7 +403,7 @@ bool LeanProtection::split_under(FacetId facet, const Triangle& t) {
   return false;
 }
 
-bool LeanProtection::split_at(FacetId facet, const Point& position) {
+std::optional<std::array<int, 2>> LeanProtection::split_at(FacetId facet, const Point& position) {
   const auto in_disk = [&](int a, int b) {
     return dot(approximate_difference(state_.point(a), position), approximate_difference(state_.point(b), position)) <= 0;
   };
@@ -414,16 +416,25 @@ bool LeanProtection::split_at(FacetId facet, const Point& position) {
       double angle = std::atan2(dot(to, sector.y), dot(to, sector.x));
       if (angle < 0) angle += 2 * std::numbers::pi;
       if (angle <= sector.angle) {
+        // Between a segment and the arc a split of the arc would change nothing: what is beyond m is too long.
+        if (!sector.full && (angle < sector.arc.front().angle || angle > sector.arc.back().angle)) {
+          const int side = angle < sector.arc.front().angle ? 0 : 1;
+          const SegmentId s = sector.edges[side];
+          const auto& stations = state_.chains()[s].stations;
+          const std::size_t i = complex_.segments[s][0] == sector.vertex ? 1 : stations.size() - 3;
+          const std::array<int, 2> piece{stations[i].point, stations[i + 1].point};
+          return piece;
+        }
         std::size_t i = 0;
         while (i + 2 < sector.arc.size() && sector.arc[i + 1].angle < angle) ++i;
         split_arc(index, i);
-        return true;
+        return std::array<int, 2>{-1, -1};
       }
     }
     for (std::size_t i = 0; i + 1 < sector.arc.size(); ++i)
       if (in_disk(sector.arc[i].point, sector.arc[i + 1].point)) {
         split_arc(index, i);
-        return true;
+        return std::array<int, 2>{-1, -1};
       }
   }
   for (const auto& [s, k] : sheets_of_facet_[facet]) {
@@ -438,10 +449,10 @@ bool LeanProtection::split_at(FacetId facet, const Point& position) {
       const bool inside = x >= 0 && x <= dot(along, along) && y >= 0 && y <= dot(up, up);
       if (!inside && !in_disk(sheet.points[i], sheet.points[i + 1])) continue;
       split_row(s, i);
-      return true;
+      return std::array<int, 2>{-1, -1};
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace confidel

@@ -3,6 +3,7 @@
 // the sizes; the construction is the graded strategy's, but only where it is needed, and without constraints of its own).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/placement/lean_state.h"
@@ -32,8 +33,9 @@ class LeanProtection {
   bool split_piece(int a, int b, FacetId facet = -1);
   /// A triangle of a facet all of whose corners are in one ball, or in one row: splits the longest arc, or the row, that it spans.
   bool split_under(FacetId facet, const Triangle& triangle);
-  /// A point of a facet inside a ball or row, or in the diametral disk of a chord of one: splits that.
-  bool split_at(FacetId facet, const Point& position);
+  /// A point of a facet inside a ball or row, or in the diametral disk of a chord of one: splits that and returns {-1, -1}; between a
+  /// segment and the first point of an arc it returns the piece of the segment next to the ball, which is to be split instead.
+  std::optional<std::array<int, 2>> split_at(FacetId facet, const Point& position);
 
  private:
   struct ArcPoint {

@@ -8,7 +8,9 @@ namespace confidel {
 namespace {
 
 // Protection begins where refinement comes nearer than r_v/kappa to a vertex or d_e/kappa to a segment.
-constexpr double kappa = 128;
+// Late, because protection costs points; but early once many points were placed in vain.
+constexpr double late = 128;
+constexpr double early = 2;
 // Insertions round their circumcentre by at most this part of the radius (theory.md section 5).
 constexpr double rounding = 1.0 / 64;
 
@@ -16,7 +18,7 @@ constexpr double rounding = 1.0 / 64;
 
 LeanRefinement::LeanRefinement(LeanState& state, LeanProtection& protection)
     : state_(state), protection_(protection), complex_(state.complex()) {
-  for (double r : state.sizes().radius) greatest_guard_ = std::max(greatest_guard_, 4 * r / kappa);
+  for (double r : state.sizes().radius) greatest_guard_ = std::max(greatest_guard_, 4 * r / early);
 }
 
 void LeanRefinement::run() {
@@ -62,6 +64,7 @@ void LeanRefinement::split(int a, int b, FacetId facet) {
   }
   const auto [first, second] = complex_.segments[s];
   const double whole = state_.distance(first, second);
+  const double kappa = state_.hard() ? early : late;
   const bool at_first = a == first, at_second = b == second;
   const double piece = state_.distance(a, b);
   for (const auto& [near, v] : {std::pair{at_first, first}, std::pair{at_second, second}})
@@ -113,7 +116,10 @@ void LeanRefinement::repair(FacetId f, const Triangle& t, LeanState::State state
     if (walk.constraint[0] < 0) throw LeanGivesUp("a circumcentre cannot be located");
     return split(walk.constraint[0], walk.constraint[1], f);
   }
-  if (protection_.split_at(f, centre)) return state_.settle();
+  if (const auto piece = protection_.split_at(f, centre)) {
+    if ((*piece)[0] < 0) return state_.settle();
+    return split((*piece)[0], (*piece)[1], f);
+  }
   if (!state_.flat()) {
     // A piece of a segment that would vanish is split instead: the longest.
     std::array<int, 2> longest{-1, -1};
@@ -136,6 +142,7 @@ void LeanRefinement::repair(FacetId f, const Triangle& t, LeanState::State state
 // Steps 9 and 10: a circumcentre too close to a vertex or a segment that is not protected yet.
 bool LeanRefinement::protect_near(FacetId f, const Point& centre, double radius) {
   if (radius > greatest_guard_) return false;
+  const double kappa = state_.hard() ? early : late;
   const BufferSizes& sizes = state_.sizes();
   const auto near_vertex = [&](VertexId v) {
     if (protection_.active_vertex(v) || length(approximate_difference(centre, complex_.vertices[v])) >= sizes.radius[v] / kappa) return false;

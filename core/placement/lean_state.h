@@ -63,6 +63,8 @@ class LeanState {
   bool on_segment(int id) const { return information_[id].kind == PointKind::edge || information_[id].kind == PointKind::projection; }
   /// Points that are there besides the vertices.
   long steiner() const { return steiner_; }
+  /// More points were placed than inputs without traps need: protection may begin earlier.
+  bool hard() const { return ever_ > early_; }
   double distance(int a, int b) const { return length(approximate_difference(point(b), point(a))); }
   const std::vector<FacetId>& facets_of_vertex(VertexId v) const { return facets_of_vertex_[v]; }
   const PointIndex& index() const { return index_; }
@@ -127,7 +129,7 @@ class LeanState {
   PointIndex index_;
   DelaunayTetrahedralization tetrahedra_;
   bool flat_ = false;
-  long budget_ = 0, ever_ = 0, steiner_ = 0;
+  long budget_ = 0, early_ = 0, ever_ = 0, steiner_ = 0;
   std::deque<Point> storage_;
   std::vector<const Point*> points_;
   std::vector<Information> information_;
