@@ -2,6 +2,7 @@
 // confidel conform FILE -o OUT.cert: places Steiner points, writes the certificate, and has it checked by the checker program.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -88,7 +89,7 @@ void describe(Run& run, const Placement& placement, const CertificateSummary& su
   run.report["points_by_kind"] = kinds;
   run.report["cells"] = placement.cells.size();
   run.report["cells_by_kind"] = cells;
-  run.report["estimated_points"] = run.meter.estimate();
+  run.report["estimated_points"] = std::llround(run.meter.estimate());
   run.report["certificate"] = {{"file", run.options.output}, {"bytes", summary.file_bytes}, {"text_bytes", summary.text_bytes}};
   run.report["complex_sha256"] = summary.complex_sha256;
   run.say("strategy {}: {} Steiner points{}{}{}, {} cells\n", run.options.strategy, steiner, by_kind.empty() ? "" : " (", by_kind,
@@ -99,7 +100,7 @@ void describe(Run& run, const Placement& placement, const CertificateSummary& su
 int undecided(Run& run, const std::string& why, long reached) {
   run.finish_stage("placement");
   run.report["points_reached"] = reached;
-  if (run.meter.estimate() > 0) run.report["estimated_points"] = run.meter.estimate();
+  if (run.meter.estimate() > 0) run.report["estimated_points"] = std::llround(run.meter.estimate());
   run.say("stopped at {} points; no certificate was written\n", reached);
   std::string verdict = fmt::format("s UNDECIDED {} reached={}", why, reached);
   if (run.meter.estimate() > 0) verdict += fmt::format(" estimate={:.0f}", run.meter.estimate());

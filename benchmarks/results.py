@@ -199,7 +199,7 @@ def main():
     results = []
     with tempfile.TemporaryDirectory() as folder:
         for name, path in files:
-            about = run([confidel, "info", path, "--json"])
+            about = run([confidel, "info", path, "--json"] + (["--merge-coplanar", "off"] if len(chosen) > 1 else []))
             facts = json.loads(about.stdout) if about.returncode == 0 else {}
             reports = []
             for strategy in chosen:

@@ -244,13 +244,6 @@ let read_plc r =
 let cursor text = { text; pos = 0; start = 0; eol = -1; line = 0 }
 let nothing_after r = if r.eol + 1 <> String.length r.text then (r.line <- r.line + 1; r.start <- r.eol + 1; r.pos <- r.start; fail r "E-TRAILING" "text after the end")
 
-(* A file that contains a complex and nothing else. *)
-let complex_file text =
-  let r = cursor text in
-  let p = read_plc r in
-  nothing_after r;
-  p
-
 let read_note r =
   word r "n"; space r;
   let from = r.pos in

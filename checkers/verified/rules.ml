@@ -90,10 +90,20 @@ let hash (c : Reader.certificate) =
 let find_segment s (a, b) = Hashtbl.find_opt s.segment_of (if a < b then (a, b) else (b, a))
 let plane s f = plane_of s.table (facet s.key f)
 
-let complex s (c : Reader.certificate) sha =
+(* The line of the certificate at which its complex and a given one differ, byte for byte. *)
+let difference (plc : Reader.plc) text given =
+  let block = plc.last - plc.first and size = String.length given in
+  let same = ref 0 and line = ref 2 in
+  while !same < block && !same < size && text.[plc.first + !same] = given.[!same] do
+    if given.[!same] = '\n' then incr line;
+    incr same
+  done;
+  if !same < block then Some !line else if !same < size then Some (!line - 1) else None
+
+let complex s (c : Reader.certificate) text given =
   let plc = c.plc in
   let w = { at = None } in
-  (match sha with Some h when h <> plc.sha256 -> note w 2 "another-complex" | _ -> ());
+  (match Option.bind given (difference plc text) with Some line -> note w line "other-complex" | None -> ());
   Array.iteri (fun n (f : Reader.facet) ->
       let occurs = Hashtbl.create 64 and first = Hashtbl.create 64 in
       let occur line v = Hashtbl.replace occurs v (); if not (Hashtbl.mem first v) then Hashtbl.replace first v line in

@@ -131,7 +131,10 @@ BuiltComplex build_complex(const Input& input, const BuildOptions& options) {
   built.report.input_index = std::move(draft.origin);
   using Merging = BuildOptions::Merging;
   if (options.merge_coplanar == Merging::on || (options.merge_coplanar == Merging::automatic && input.triangle_soup)) {
-    const MergeSummary merged = merge_coplanar_facets(built.complex);
+    std::vector<Segment> stated;
+    for (const SegmentDraft& segment : draft.segments) stated.push_back(segment.ends);
+    sort_unique(stated);
+    const MergeSummary merged = merge_coplanar_facets(built.complex, stated);
     if (merged.segments_removed > 0)
       built.report.remarks.push_back(std::to_string(merged.facets_before) + " facets are " + std::to_string(merged.facets_after) +
                                      " after merging exactly coplanar neighbours; " + std::to_string(merged.segments_removed) +

@@ -18,6 +18,11 @@ void Draft::add_problem(const std::string& code, int line, const std::string& me
   problems.push_back(std::move(problem));
 }
 
+void Draft::add_vertex_problem(const std::string& code, int line, const std::string& message) {
+  add_problem(code, line, message);
+  if (!input.vertex_file.empty()) problems.back().place.file = input.vertex_file;
+}
+
 std::string Draft::line_name(int line) { return line > 0 ? fmt::format(" (line {})", line) : std::string(); }
 
 std::string Draft::vertex_name(VertexId vertex) const {
@@ -66,7 +71,7 @@ void draft_vertices(Draft& draft, const BuildOptions& options) {
     draft.add_problem("E-EMPTY", 0, "the file has no vertices: there is nothing to conform to");
   for (std::size_t i = 0; i < input.vertices.size(); ++i)
     if (!is_finite(input.vertices[i]))
-      draft.add_problem("E-NUMBER", input.vertices[i].line,
+      draft.add_vertex_problem("E-NUMBER", input.vertices[i].line,
                         fmt::format("vertex {} has a coordinate that is not finite", i + input.first_index));
   if (!draft.problems.empty()) throw InputError(draft.problems);
 
@@ -85,7 +90,7 @@ void draft_vertices(Draft& draft, const BuildOptions& options) {
     } else if (options.merge_identical_vertices) {
       ++merged;
     } else {
-      draft.add_problem("E-DUPLICATE-VERTEX", input.vertices[i].line,
+      draft.add_vertex_problem("E-DUPLICATE-VERTEX", input.vertices[i].line,
                         fmt::format("vertex {}{} and {} have the same position; keep one of them, or merge identical "
                                     "vertices explicitly",
                                     i + input.first_index, Draft::line_name(input.vertices[i].line),

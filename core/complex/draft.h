@@ -57,6 +57,8 @@ struct Draft {
   BuildReport report;
 
   void add_problem(const std::string& code, int line, const std::string& message);
+  /// The same for a line of the file that the vertices come from, which may be a companion .node.
+  void add_vertex_problem(const std::string& code, int line, const std::string& message);
   void add_remark(const std::string& remark) { report.remarks.push_back(remark); }
 
   // Names for messages, in the file's own numbering, with lines where they are known.

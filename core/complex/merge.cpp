@@ -90,7 +90,7 @@ Facet merged(const Complex& complex, const std::vector<FacetId>& members, const 
 
 }  // namespace
 
-MergeSummary merge_coplanar_facets(Complex& complex) {
+MergeSummary merge_coplanar_facets(Complex& complex, const std::vector<Segment>& kept) {
   MergeSummary summary;
   summary.facets_before = static_cast<int>(complex.facets.size());
   std::vector<std::vector<Use>> uses(complex.segments.size());
@@ -104,8 +104,10 @@ MergeSummary merge_coplanar_facets(Complex& complex) {
     if (uses[s].size() != 2 || uses[s][0].inner || uses[s][1].inner) continue;
     const Facet &first = complex.facets[uses[s][0].facet], &second = complex.facets[uses[s][1].facet];
     if (first.marker != second.marker || !parallel(first.normal, second.normal)) continue;
-    vanishes[s] = 1;
-    ++summary.segments_removed;
+    if (!std::binary_search(kept.begin(), kept.end(), complex.segments[s])) {
+      vanishes[s] = 1;
+      ++summary.segments_removed;
+    }
     groups.join(uses[s][0].facet, uses[s][1].facet);
   }
   std::map<int, std::vector<FacetId>> members;

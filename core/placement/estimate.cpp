@@ -13,8 +13,8 @@ namespace {
 
 // docs/results.md shows the estimate beside the result.
 constexpr double points_per_row_unit = 0.3;
-constexpr double points_per_facet_unit = 0.4;
-constexpr int descents = 4000;
+constexpr double points_per_facet_unit = 1.0;
+constexpr int descents = 600;
 constexpr int greatest_depth = 60;
 constexpr double tiny = 1e-15;
 constexpr double far = 4;  // beyond everything in working coordinates
@@ -256,8 +256,10 @@ struct FacetPiece {
     if (const SegmentId nearest = context->surroundings.nearest_own_segment(x, facet); nearest >= 0) {
       const auto [a, b] = context->complex.segments[nearest];
       const Double3 p = context->complex.vertices[a].approximate(), q = context->complex.vertices[b].approximate();
-      factor = std::max({factor, context->sizes.offset[nearest] / std::max(distance_to_segment(x, p, q), tiny),
-                         context->sizes.radius[a] / std::max(length(x - p), tiny), context->sizes.radius[b] / std::max(length(x - q), tiny)});
+      // Near a sharp edge, up to about the balls' radii, aligned rows let triangles be larger than the distance.
+      const double reach = std::max(context->sizes.offset[nearest], std::min(context->sizes.radius[a], context->sizes.radius[b]));
+      factor = std::max({factor, reach / std::max(distance_to_segment(x, p, q), tiny), context->sizes.radius[a] / std::max(length(x - p), tiny),
+                         context->sizes.radius[b] / std::max(length(x - q), tiny)});
     }
     distance = std::max(distance * factor, tiny);
     const double area = 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
@@ -278,8 +280,7 @@ struct FacetPiece {
 
 }  // namespace
 
-double estimate_further_points(const Complex& complex, const BufferSizes& sizes, const std::vector<OpenInterval>& intervals,
-                               const std::vector<OpenTriangle>& triangles) {
+double estimate_further_points(const Complex& complex, const BufferSizes& sizes, const std::vector<OpenInterval>& intervals) {
   const Surroundings surroundings(complex);
   const Context context{complex, sizes, surroundings};
   std::vector<RowPiece> rows;
@@ -288,10 +289,12 @@ double estimate_further_points(const Complex& complex, const BufferSizes& sizes,
     rows.back().weigh();
   }
   std::vector<FacetPiece> facets;
-  for (const OpenTriangle& open : triangles) {
-    facets.push_back({&context, open.facet, open.corners});
-    facets.back().weigh();
-  }
+  for (std::size_t f = 0; f < complex.facets.size(); ++f)
+    for (const auto& [a, b, c] : complex.facets[f].triangles) {
+      facets.push_back({&context, static_cast<FacetId>(f),
+                        {complex.vertices[a].approximate(), complex.vertices[b].approximate(), complex.vertices[c].approximate()}});
+      facets.back().weigh();
+    }
   return points_per_row_unit * integrate(rows) + points_per_facet_unit * integrate(facets);
 }
 

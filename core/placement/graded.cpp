@@ -157,11 +157,7 @@ class Refinement {
           intervals.push_back({row.segment, 1 + static_cast<int>(row.protectors.size()), zones_.point(row.stations[i].point).approximate(),
                                zones_.point(row.stations[i + 1].point).approximate()});
       }
-    if (!refined_)
-      for (std::size_t f = 0; f < complex_.facets.size(); ++f)
-        for (const auto& [a, b, c] : complex_.facets[f].triangles)
-          open_.push_back({static_cast<FacetId>(f), {complex_.vertices[a].approximate(), complex_.vertices[b].approximate(), complex_.vertices[c].approximate()}});
-    const double expected = zones_.point_count() + estimate_further_points(complex_, sizes_, intervals, open_);
+    const double expected = zones_.point_count() + estimate_further_points(complex_, sizes_, intervals);
     progress_.estimated(expected);
     if (limits_.max_points > 0 && expected > estimate_margin * static_cast<double>(limits_.max_points))
       throw LimitReached("max-points", zones_.point_count());
@@ -273,12 +269,9 @@ class Refinement {
     });
     const bool estimated_before = estimated_;
     bool changed = false;
-    refined_ = true;
-    open_.clear();
+    bool open = false;
     for (int f = 0; f < facets; ++f) {
-      const Region& region = zones_.region(f);
-      for (const auto& [a, b, c] : refinements[f].open)
-        open_.push_back({f, {region.point(a).approximate(), region.point(b).approximate(), region.point(c).approximate()}});
+      open |= refinements[f].open;
       if (refinements[f].stuck) throw StrategyFailed("graded: a circumcentre was rounded onto an existing point");
       zones_.adopt_new_vertices(f);
       changed |= refinements[f].inserted > 0;
@@ -286,8 +279,8 @@ class Refinement {
     }
     changed |= zones_.apply_requests() > 0;
     index_new_points();
-    if (!open_.empty() && estimated_before && limits_.max_points > 0) throw LimitReached("max-points", zones_.point_count());
-    return changed || !open_.empty();
+    if (open && estimated_before && limits_.max_points > 0) throw LimitReached("max-points", zones_.point_count());
+    return changed || open;
   }
 
   // T cells are static: nothing can be split there, the sizes must have been right.
@@ -315,8 +308,7 @@ class Refinement {
   std::vector<int> region_sizes_;
   std::atomic<long> placed_{0};
   long base_count_ = 0;
-  bool estimated_ = false, refined_ = false;
-  std::vector<OpenTriangle> open_;
+  bool estimated_ = false;
   int buffer_seen_ = 0, region_seen_ = 0;
 };
 

@@ -235,8 +235,8 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
     if (!t.is_face(self.vertices[-first], self.vertices[-second], self.vertices[-third], f)) continue;
     if (!f->info().inside || f->info().free) continue;
     if (environment.stopped()) {
-      result.open.push_back({-first, -second, -third});
-      continue;
+      result.open = true;
+      break;
     }
     self.own_points.push_back(
         environment.circumcentre(self.point(f->vertex(0)), self.point(f->vertex(1)), self.point(f->vertex(2))));

@@ -52,8 +52,8 @@ class Region {
     std::vector<std::array<int, 2>> blocking;
     /// Number of vertices inserted: they are the last ones.
     int inserted = 0;
-    /// Encroached triangles that are left because the environment said stop.
-    std::vector<std::array<int, 3>> open;
+    /// Encroached triangles are left because the environment said stop.
+    bool open = false;
     /// A circumcentre rounded onto an existing vertex: the tolerance is too coarse for this input.
     bool stuck = false;
   };

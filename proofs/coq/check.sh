@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The trusted part of proofs/coq, checked: builds, runs coqchk, refuses statements
 # without proof, prints the axioms of every theorem into docs/proofs.md.
 # Exit codes: 0 all is proved, 1 something is not, 4 a tool or file is missing.
@@ -69,9 +70,8 @@ fi
     echo "Goal True."; for t in $ts; do echo "idtac \"THEOREM $m.$t\"."; done; echo "exact I. Qed."
     echo "Print Assumptions file_$n."
   done
-} > Assumptions.v
-coqc -q -w none $maps -o "$PWD/$work/Assumptions.vo" Assumptions.v >$work/assumptions.log 2>&1 || { tail -20 $work/assumptions.log >&2; fail "Print Assumptions"; }
-rm -f Assumptions.glob .Assumptions.aux
+} > $work/Assumptions.v
+coqc -q -w none $maps $work/Assumptions.v >$work/assumptions.log 2>&1 || { tail -20 $work/assumptions.log >&2; fail "Print Assumptions"; }
 
 perl -ne '
   BEGIN { %ok = map { $_ => 1 } qw(
@@ -106,7 +106,10 @@ if [ -f $doc ]; then
     local $/; open my $d, "<", $doc; my $t = <$d>; open my $n, "<", $table; my $new = <$n>;
     $t =~ s{(<!-- assumptions begin -->\n)(.*?)(<!-- assumptions end -->)}{
       my ($b, $old, $e) = ($1, $2, $3);
-      $b . $new . join("", grep { m{^\| (\w+)/} && !$now{$1} } split /^/, $old) . $e }es;
-    print $t' $doc $work/table.md $folders > $work/proofs.md && cat $work/proofs.md > $doc
+      my %rows;
+      for (split(/^/, $new), grep { m{^\| (\w+)/} && !$now{$1} } split(/^/, $old)) { push @{$rows{m{^\| (\w+)/} ? $1 : ""}}, $_ }
+      $b . join("", map { @{$rows{$_} || []} } "", "lemmas", "theorem", "checker") . $e }es;
+    print $t' $doc $work/table.md $folders > $work/proofs.md || fail "docs/proofs.md"
+  cmp -s $work/proofs.md $doc || cat $work/proofs.md > $doc
 fi
 echo "check.sh: $(grep -c THEOREM $work/assumptions.log) theorems, no statement without proof, axioms within the allow-list"

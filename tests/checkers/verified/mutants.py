@@ -5,18 +5,19 @@
     mutants.py GMP-CHECKER VERIFIED-CHECKER [COUNT [SEED]]
 
 A mutant changes one to three tokens or lines; the counts and the digest at the end are repaired, so that it gets past the reader.
-Disagreements are kept in the folder `disagreements` of the working directory and make the run fail."""
+Disagreements are kept in the folder `disagreements` of the working directory and make the run fail. Without the verified checker: exit code 77."""
 import collections, glob, hashlib, os, random, re, subprocess, sys, tempfile
 
-gmp, verified = sys.argv[1], sys.argv[2]
-count = int(sys.argv[3]) if len(sys.argv) > 3 else 2000
-seed = int(sys.argv[4]) if len(sys.argv) > 4 else 1
 here = os.path.dirname(os.path.abspath(__file__))
-seeds = []
-for path in sorted(glob.glob(os.path.join(here, '../../certificates/accept/*.cert')) + glob.glob(os.path.join(here, '../../certificates/reject/tie*.cert'))):
-    data = open(path, 'rb').read()
-    if data[:4] != b'\x28\xb5\x2f\xfd' and len(data) < 40000:
-        seeds.append(data.decode().split('\n')[:-1])
+
+def parents():
+    """the certificates of tests/certificates that mutants are made of, as lists of lines"""
+    result = []
+    for path in sorted(glob.glob(os.path.join(here, '../../certificates/accept/*.cert')) + glob.glob(os.path.join(here, '../../certificates/reject/tie*.cert'))):
+        data = open(path, 'rb').read()
+        if data[:4] != b'\x28\xb5\x2f\xfd' and len(data) < 40000:
+            result.append(data.decode().split('\n')[:-1])
+    return result
 
 def index(line, rnd):
     """another index in place of one of the line's"""
@@ -80,26 +81,41 @@ def mutate(lines, rnd):
     counts = [n.get(k, '0') for k in ('vertices', 'segments', 'facets', 'points', 'cells', 'rows', 'hanging')]
     return body + 'end ' + ' '.join(counts) + ' ' + hashlib.sha256(body.encode()).hexdigest() + '\n'
 
-def answer(binary, path):
-    p = subprocess.run([binary, path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300)
+def answer(binary, path, *options):
+    """the exit code, and the last line up to the rule and its line; for exit 2 the error's code and line"""
+    p = subprocess.run([binary, path, *options], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300)
     last = p.stdout.decode().strip().split('\n')[-1]
     error = re.search(r':(\d+):\d+: error\[(E-[A-Z]+)\]', p.stderr.decode())
     return p.returncode, ' '.join(last.split(' ')[:4]) if p.returncode in (0, 3, 5) else (error.group(2) + ' ' + error.group(1) if error else '')
 
-rnd = random.Random(seed)
-tally, bad = collections.Counter(), 0
-with tempfile.TemporaryDirectory() as folder:
-    path = os.path.join(folder, 'mutant.cert')
-    for k in range(count):
-        text = mutate(rnd.choice(seeds), rnd)
-        open(path, 'w').write(text)
-        a, b = answer(gmp, path), answer(verified, path)
-        tally[(a[0], a[1].split(' ')[2] if a[0] == 5 else a[1].split(' ')[0])] += 1
-        if a != b:
-            bad += 1
-            os.makedirs('disagreements', exist_ok=True)
-            open('disagreements/%d-%d.cert' % (seed, k), 'w').write(text)
-            print('DISAGREE %d-%d: gmp %s, verified %s' % (seed, k, a, b))
-for key, n in sorted(tally.items(), key=str): print(n, *key)
-print('%d mutants, %d disagreements' % (count, bad))
-sys.exit(bad != 0)
+def skip_without(verified):
+    """ctest's 77 when the verified checker is not built; an error where it has to be (.ci/run)"""
+    if not os.access(verified, os.X_OK):
+        print('SKIPPED: there is no %s; ./run proofs builds it (coq, ocaml)' % verified)
+        sys.exit(1 if os.environ.get('CONFIDEL_NO_SKIP') else 77)
+
+def main():
+    gmp, verified = sys.argv[1], sys.argv[2]
+    skip_without(verified)
+    count = int(sys.argv[3]) if len(sys.argv) > 3 else 2000
+    seed = int(sys.argv[4]) if len(sys.argv) > 4 else 1
+    seeds, rnd = parents(), random.Random(seed)
+    tally, bad = collections.Counter(), 0
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, 'mutant.cert')
+        for k in range(count):
+            text = mutate(rnd.choice(seeds), rnd)
+            open(path, 'w').write(text)
+            a, b = answer(gmp, path), answer(verified, path)
+            tally[(a[0], a[1].split(' ')[2] if a[0] == 5 else a[1].split(' ')[0])] += 1
+            if a != b:
+                bad += 1
+                os.makedirs('disagreements', exist_ok=True)
+                open('disagreements/%d-%d.cert' % (seed, k), 'w').write(text)
+                print('DISAGREE %d-%d: gmp %s, verified %s' % (seed, k, a, b))
+    for key, n in sorted(tally.items(), key=str): print(n, *key)
+    print('%d mutants, %d disagreements' % (count, bad))
+    sys.exit(bad != 0)
+
+if __name__ == '__main__':
+    main()

@@ -51,6 +51,14 @@ BOOST_AUTO_TEST_CASE(duplicate_vertices) {
   BOOST_TEST(says(input, "vertex 5 (line 6) and vertex 1 (line 2)"));
 }
 
+BOOST_AUTO_TEST_CASE(vertices_of_a_companion_file_are_named_there) {
+  Input input = triangle_with({{4, 0, 0}});
+  input.vertex_file = "companion.node";
+  const auto problems = problems_of(input);
+  BOOST_REQUIRE(problems.size() == 1U);
+  BOOST_TEST(problems.front().place.file == "companion.node");
+}
+
 BOOST_AUTO_TEST_CASE(duplicates_do_not_hide_other_problems) {
   InputMaker input = triangle_with({{4, 0, 0}, {0, 0, 5}});
   input.facet({{3, 1, 4}}).facet({{0, 3, 2}});
