@@ -14,6 +14,7 @@
 
 #include "core/complex/merge.h"
 #include "proofs/certificate/writer.h"
+#include "tests/support/exact_placement.h"
 #include "tests/support/placing.h"
 #include "tests/support/small_inputs.h"
 
