@@ -22,7 +22,8 @@ struct Triangle {
 
 class FacetCrossings {
  public:
-  FacetCrossings(Draft& draft, const std::vector<std::pair<int, int>>& crossings) : draft_(draft) {
+  FacetCrossings(Draft& draft, const std::vector<std::pair<int, int>>& crossings)
+      : draft_(draft), crossings_(crossings) {
     for (std::size_t f = 0; f < draft.facets.size(); ++f) {
       const FacetDraft& facet = draft.facets[f];
       if (!facet.sound) continue;
@@ -82,16 +83,29 @@ class FacetCrossings {
   int line_of(int facet) const { return draft_.input.facets[draft_.facets[facet].source].line; }
   std::string name_of(int facet) const { return draft_.facet_name(draft_.facets[facet].source); }
 
-  /// Where facets cross was said already if their edges cross.
+  /// Was the meeting of these facets said already? Yes if their edges cross; and a crossing edge of one that runs in
+  /// the other could not become an edge of that.
   bool is_known(const std::pair<int, int>& pair) const {
-    for (const int index : crossing_edges_) {
-      const Segment& edge = draft_.edges[index].ends;
-      for (const int facet : {pair.first, pair.second}) {
-        const auto& edges = draft_.facets[facet].edges;
-        if (std::binary_search(edges.begin(), edges.end(), edge)) return true;
-      }
+    const FacetDraft &first = draft_.facets[pair.first], &second = draft_.facets[pair.second];
+    for (const auto& [i, j] : crossings_) {
+      const Segment &a = draft_.edges[i].ends, &b = draft_.edges[j].ends;
+      if ((has_edge(first, a) && has_edge(second, b)) || (has_edge(first, b) && has_edge(second, a))) return true;
+      for (const Segment& edge : {a, b})
+        if ((has_edge(first, edge) && has_guest_end(second, edge)) ||
+            (has_edge(second, edge) && has_guest_end(first, edge)))
+          return true;
     }
     return false;
+  }
+
+  static bool has_edge(const FacetDraft& facet, const Segment& edge) {
+    return std::binary_search(facet.edges.begin(), facet.edges.end(), edge);
+  }
+  static bool has_guest_end(const FacetDraft& facet, const Segment& edge) {
+    const auto is_guest = [&](VertexId vertex) {
+      return std::binary_search(facet.guest_points.begin(), facet.guest_points.end(), vertex);
+    };
+    return is_guest(edge[0]) || is_guest(edge[1]);
   }
 
   void report_pair(const std::pair<int, int>& pair, const Found& found) {
@@ -102,7 +116,7 @@ class FacetCrossings {
                          fmt::format("{} and {} {}; {}", name_of(pair.second), name_of(pair.first),
                                      same ? "are the same" : "lie in one plane and overlap",
                                      same ? "remove one of them" : "cut them so that they have only edges in common"));
-    } else if (crossing_edges_.empty() || !is_known(pair)) {
+    } else if (!is_known(pair)) {
       draft_.add_problem("E-CROSSING", line,
                          fmt::format("{} and {} cross near {}; make the line where they meet a segment of both",
                                      name_of(pair.second), name_of(pair.first), near(found)));
@@ -188,6 +202,7 @@ class FacetCrossings {
   }
 
   Draft& draft_;
+  const std::vector<std::pair<int, int>>& crossings_;
   std::vector<Triangle> triangles_;
   std::vector<Box> boxes_;
   std::vector<Segment> segments_;

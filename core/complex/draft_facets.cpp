@@ -111,16 +111,17 @@ class FacetReader {
         off_plane.push_back(corner);
     if (off_plane.empty()) return true;
     sort_unique(off_plane);
+    const mpq_class diameter_squared = squared_diameter();
     VertexId farthest = off_plane.front();
     double greatest = -1;
     for (const VertexId vertex : off_plane) {
-      const double distance = relative_distance(vertex);
+      const double distance = relative_distance(vertex, diameter_squared);
       if (distance > greatest) greatest = distance, farthest = vertex;
     }
     draft_.add_problem(
         "E-NONCOPLANAR", facet_.line,
         fmt::format("{} is not flat: {} is off the plane of its corners {}, {}, {} by {:.3g} of the facet's "
-                    "diameter{}; triangulate the facet or correct the coordinates",
+                    "size{}; triangulate the facet or correct the coordinates",
                     name(), draft_.vertex_name(farthest), number(plane_[0]), number(plane_[1]), number(plane_[2]),
                     greatest,
                     off_plane.size() > 1 ? fmt::format(", and {} more", off_plane.size() - 1) : std::string()));
@@ -131,18 +132,34 @@ class FacetReader {
 
   /// Distance from the plane over the facet's diameter: for the reader, but computed exactly before it is rounded,
   /// since it may be far below the rounding errors of the coordinates.
-  double relative_distance(VertexId vertex) const {
+  double relative_distance(VertexId vertex, const mpq_class& diameter_squared) const {
     const Difference offset = difference(draft_.vertices[vertex], draft_.vertices[plane_[0]]);
-    mpq_class diameter_squared = 0;
-    for (const VertexId corner : corners_) {
-      const Difference reach = difference(draft_.vertices[corner], draft_.vertices[plane_[0]]);
-      const mpq_class square = over_power_of_two(dot(reach.vector, reach.vector), 2 * reach.exponent);
-      if (square > diameter_squared) diameter_squared = square;
-    }
     const mpz_class along = dot(offset.vector, result_.normal);
     mpq_class ratio = over_power_of_two(along * along, 2 * offset.exponent);
     ratio /= diameter_squared * dot(result_.normal, result_.normal);
-    return std::sqrt(ratio.get_d());
+    // The square may be too small for a double when its root is not.
+    return square_root(ratio);
+  }
+
+  static double square_root(const mpq_class& square) {
+    long exponents[2];
+    const double numerator = mpz_get_d_2exp(&exponents[0], square.get_num_mpz_t());
+    const double denominator = mpz_get_d_2exp(&exponents[1], square.get_den_mpz_t());
+    const long exponent = exponents[0] - exponents[1];
+    const long odd = exponent % 2;
+    return std::ldexp(std::sqrt(std::ldexp(numerator / denominator, static_cast<int>(odd))),
+                      static_cast<int>((exponent - odd) / 2));
+  }
+
+  /// The square of the greatest distance from the first corner: the diameter, up to a factor of 2.
+  mpq_class squared_diameter() const {
+    mpq_class greatest = 0;
+    for (const VertexId corner : corners_) {
+      const Difference reach = difference(draft_.vertices[corner], draft_.vertices[plane_[0]]);
+      const mpq_class square = over_power_of_two(dot(reach.vector, reach.vector), 2 * reach.exponent);
+      if (square > greatest) greatest = square;
+    }
+    return greatest;
   }
 
   static mpq_class over_power_of_two(const mpz_class& numerator, int exponent) {

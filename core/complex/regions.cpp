@@ -146,7 +146,7 @@ void release_outside(Draft& draft, const FacetDraft& facet) {
   for (const Segment& edge : facet.region.outside_edges) {
     draft.segments.push_back({edge, -1, 0});
     draft.add_remark(
-        fmt::format("edge {}-{} of {} lies outside of the region that the facet bounds: it is a segment by itself",
+        fmt::format("edge {}-{} of {} lies outside of the region that the facet bounds: it is no part of the facet",
                     draft.origin[edge[0]] + draft.input.first_index, draft.origin[edge[1]] + draft.input.first_index,
                     draft.facet_name(facet.source)));
   }

@@ -110,6 +110,22 @@ BOOST_AUTO_TEST_CASE(hole_point_between_the_loops_leaves_the_island) {
   BOOST_TEST(has_remark(built.report, "edge 0-1 of facet 0 (line 101) lies outside"));
 }
 
+BOOST_AUTO_TEST_CASE(size_does_not_matter) {
+  // Whatever a filter overflows or underflows to, the result is that of the unit square.
+  const auto reference =
+      checked(InputMaker().vertices(nested_squares()).facet({{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 4}}, {{0.5, 0.5, 0.25}}));
+  for (const double size : {0x1p1020, 0x1p500, 0x1p-500, 0x1p-1020}) {
+    auto vertices = nested_squares();
+    for (Position& position : vertices)
+      for (double& coordinate : position) coordinate *= size;
+    const auto built = checked(InputMaker().vertices(vertices).facet({{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 4}},
+                                                                     {{0.5 * size, 0.5 * size, 0.25 * size}}));
+    BOOST_TEST((built.complex.facets[0].boundary == reference.complex.facets[0].boundary));
+    BOOST_TEST((built.complex.facets[0].constraints == reference.complex.facets[0].constraints));
+    BOOST_TEST((built.complex.facets[0].triangles.size() == reference.complex.facets[0].triangles.size()));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(oblique_planes_resolve_holes_orthogonally) {
   // Plane x + y + z = 12. The hole is the loop 3-4-5 with the centroid (4,4,4); the seed is (4,4,4) + 5 (1,1,1).
   const std::vector<Position> vertices{{12, 0, 0}, {0, 12, 0}, {0, 0, 12}, {6, 3, 3}, {3, 6, 3}, {3, 3, 6}};

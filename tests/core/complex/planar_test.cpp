@@ -106,6 +106,14 @@ BOOST_AUTO_TEST_CASE(vertices_on_one_line_have_no_domain) {
   BOOST_TEST((built.complex.segments == std::vector<Segment>{{0, 2}, {1, 3}, {2, 3}}));
 }
 
+BOOST_AUTO_TEST_CASE(marker_is_the_last_that_says_something) {
+  InputMaker maker(2);
+  maker.vertices({{0, 0, 0}, {3, 0, 0}, {1, 0, 0}}).segment(0, 1, 5).segment(2, 1, 7).segment(1, 0);
+  const auto built = checked(maker);
+  BOOST_TEST((built.complex.segments == std::vector<Segment>{{0, 2}, {1, 2}}));
+  BOOST_TEST((built.complex.segment_markers == std::vector<int>{5, 7}));
+}
+
 BOOST_AUTO_TEST_CASE(overlapping_segments_are_split_at_their_ends) {
   InputMaker maker(2);
   maker.vertices({{0, 0, 0}, {3, 0, 0}, {1, 0, 0}, {4, 0, 0}, {0, 1, 0}}).segment(0, 1).segment(2, 3).segment(1, 0);

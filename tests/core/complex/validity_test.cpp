@@ -200,6 +200,15 @@ BOOST_AUTO_TEST_CASE(facets_that_overlap) {
   BOOST_TEST(codes_of(beside.facet({{1, 3, 2}})).empty());
 }
 
+BOOST_AUTO_TEST_CASE(crossing_edges_do_not_hide_other_crossings) {
+  // Facet 1 crosses an edge of facet 0 with its own edge; facet 2 pierces facet 0 elsewhere.
+  InputMaker input = triangle_with({{2, -1, 0}, {2, 1, 0}, {2, 0, 3}, {1, 1, -1}, {1, 1, 1}, {0.5, 9, 0}});
+  input.facet({{3, 4, 5}}).facet({{6, 7, 8}});
+  const auto codes = codes_of(input);
+  BOOST_TEST((std::count(codes.begin(), codes.end(), "E-CROSSING@102") == 1), text_of(problems_of(input)));
+  BOOST_TEST((std::count(codes.begin(), codes.end(), "E-CROSSING@103") == 1), text_of(problems_of(input)));
+}
+
 BOOST_AUTO_TEST_CASE(filled_hole_that_is_no_hole) {
   // Without the hole point the facet covers what the other one fills.
   const InputMaker input =
