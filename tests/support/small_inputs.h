@@ -74,6 +74,9 @@ inline std::vector<NamedInput> small_inputs() {
       .facet({{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9}, {10}, {11}, {1, 14}}, {{4.5, 4.5, 0}})
       .facet({{11, 12, 13}});
   all.push_back({"facet with hole, slit, dangling segment and isolated vertices", parts});
+  InputMaker tie;
+  tie.vertices({{-20, -20, 0}, {20, -20, 0}, {20, 20, 0}, {-20, 20, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}).facet({{0, 1, 2, 3}, {4}, {5}, {6}, {7}});
+  all.push_back({"vertex exactly on the sphere through isolated vertices", tie});
   InputMaker planar;
   planar.vertices({{0, 0, 1}, {8, 0, 1}, {8, 8, 1}, {0, 8, 1}, {4, 2, 1}, {6, 5, 1}, {3, 5, 1}}).facet({{0, 1, 2, 3}, {4, 5}, {6}});
   all.push_back({"one plane only", planar});
