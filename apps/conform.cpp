@@ -163,8 +163,7 @@ int run_conform(const ConformOptions& options) {
     } else {
       LeanReport lean;
       placement = place_lean(complex, features, limits, run.meter, &lean);
-      run.report["lean"] = {{"placed", lean.placed}, {"removed", lean.removed}, {"protected_vertices", lean.protected_vertices}, {"protected_segments", lean.protected_segments},
-                            {"protected_by_graded", lean.fell_back}, {"reason", lean.reason}};
+      run.report["lean"] = {{"placed", lean.placed}, {"removed", lean.removed}, {"protected_by_graded", lean.fell_back}, {"reason", lean.reason}};
       if (lean.fell_back) run.say("lean: {}; the whole input is protected as the graded strategy does\n", lean.reason);
     }
   } catch (const LimitReached& limit) {
