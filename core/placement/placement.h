@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -44,12 +45,52 @@ struct PlacedRow {
   std::vector<Protector> protectors;
 };
 
+/// The constants that lemma claims name: lemma-claims.md section 1, in the input's coordinates. Absent: nothing is claimed of it.
+struct Parameters {
+  std::optional<mpq_class> radius, spacing, greatest_circumradius;  ///< r, h, r-max
+  int angle_multiple = 0;                                           ///< K: phi' = K arccos(angle_cosine); 0: absent
+  mpq_class angle_cosine;
+  int beta = 0, offset = 0, chord = 0;  ///< their J; 0: absent
+  struct Ball {
+    VertexId vertex;
+    mpq_class radius;
+  };
+  struct Row {
+    SegmentId segment;
+    mpq_class offset;
+    std::array<mpq_class, 2> edge_cosine, facet_cosine;  ///< A and B, at the first and the second vertex
+  };
+  std::vector<Ball> balls;  ///< by vertex
+  std::vector<Row> rows;    ///< by segment
+};
+
+/// Evidence for L8: the point was inserted as the circumcentre of the triangle.
+struct Insertion {
+  FacetId facet;
+  std::array<int, 3> corners;
+  int point;
+};
+
+/// lemma-claims.md section 5. One cell and one point (L9 to L13), two cells (L5), or one cell and two points (L18).
+struct Refutation {
+  std::string statement;
+  std::vector<int> cells, points;
+  std::vector<mpq_class> values;  ///< POWER, or T1 and T2
+};
+
 /// Points 0 .. vertices-1 are the complex's vertices.
 struct Placement {
   std::vector<PlacedPoint> points;
+  /// The input's coordinates of all points where not all are dyadic (exact circles in the plane); else empty. The positions above
+  /// are then approximations.
+  std::vector<std::array<mpq_class, 3>> rational_positions;
   std::vector<PlacedCell> cells;
   std::vector<PlacedRow> rows;                   ///< by segment
   std::vector<std::array<int, 3>> hanging;       ///< segment, a, b: in order along the segment, by segment
+  std::vector<std::string> claims;               ///< IDs of lemma-claims.md besides `conforms`, in its order
+  Parameters parameters;
+  std::vector<Insertion> insertions;             ///< in the order of insertion within each facet
+  std::optional<Refutation> refutation;          ///< then the certificate refutes, and does not claim `conforms`
 };
 
 /// Limits of a long computation; those of time and memory are the Progress's.
