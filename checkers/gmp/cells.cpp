@@ -128,7 +128,7 @@ std::optional<Violation> ruleCarrier(Check& check) {
         for (const std::uint32_t x : cell.corner)
             if (x >= c.vertexCount) {
                 const Steiner& point = c.steiner[x - c.vertexCount];
-                if (!onSegment(point.kind) && point.carrier == cell.facet) used[x - c.vertexCount] = true;
+                if (c.claims.refutation || (!onSegment(point.kind) && point.carrier == cell.facet)) used[x - c.vertexCount] = true;
             }
     Earliest earliest;
     inParallel(c.steiner.size(), check.threads, 1024, [&] {
@@ -139,6 +139,7 @@ std::optional<Violation> ruleCarrier(Check& check) {
                 if (onSegment(point.kind)) {
                     if (!strictlyBetween(c, x, c.segments[point.carrier], v[0], v[1], v[2]))
                         earliest.offer(c.pointLine(x), objectName("point", x, "segment", point.carrier));
+                    else if (c.claims.refutation && !used[i]) earliest.offer(c.pointLine(x), objectName("point", x, "in-no-cell"));
                 } else if (plane->side(c, point.carrier, x) != 0) {
                     earliest.offer(c.pointLine(x), objectName("point", x, "facet", point.carrier));
                 } else if (!used[i]) {

@@ -2,6 +2,7 @@
 // What a certificate says, as read; and what is derived from it, rule by rule.
 #pragma once
 
+#include "claims.h"
 #include "points.h"
 
 #include <cstdint>
@@ -65,6 +66,7 @@ struct Certificate {
     std::vector<Row> rows;
     std::vector<std::uint32_t> rowPoints;
     std::vector<Subsegment> hanging;
+    Claims claims;
     std::string complexDigest, statedDigest, digest;
     std::uint64_t differenceLine = 0;  // of the complex and the one given by --complex
 

@@ -124,33 +124,63 @@ private:
 
 class BallWorker {
 public:
-    BallWorker(Shared& shared, Earliest& earliest) : shared_(shared), c_(shared.certificate), earliest_(earliest), sphere_(c_) {}
+    BallWorker(Shared& shared, Earliest& earliest)
+        : shared_(shared), c_(shared.certificate), earliest_(earliest), sphere_(c_), wanted_(c_.claims.find(Lemma::l22) != nullptr) {}
+    ~BallWorker() {
+        const std::lock_guard<std::mutex> guard(shared_.mutex);
+        if (best_.betterThan(shared_.check.smallestHanging)) shared_.check.smallestHanging = best_;
+    }
+    BallWorker(const BallWorker&) = delete;
+    BallWorker& operator=(const BallWorker&) = delete;
 
     void check(std::size_t h) {
         part_ = &c_.hanging[h];
         sphere_.setBall(part_->a, part_->b);
+        line_ = c_.hangingLine + h;
         sphere_.computeBounds();
         violating_ = none;
         if (sphere_.boundsFit()) {
             ShortReach reach(sphere_);
-            shared_.index.search(reach, none, *this);
+            search(reach);
         } else {
             LongReach reach(sphere_);
-            shared_.index.search(reach, none, *this);
+            search(reach);
         }
         if (violating_ != none) earliest_.offer(c_.hangingLine + h, objectName("subsegment", h, "point", violating_));
     }
     void near(std::uint32_t x) {
-        if (x != part_->a && x != part_->b && sphere_.power(x) <= 0) violating_ = std::min(violating_, x);
+        if (x == part_->a || x == part_->b) return;
+        if (sphere_.power(x) <= 0) violating_ = std::min(violating_, x);
+        else if (wanted_) candidate(x);
     }
-    void far(std::uint32_t) {}
+    void far(std::uint32_t x) {
+        if (x != part_->a && x != part_->b && sphere_.power(x) > 0) candidate(x);
+    }
 
 private:
+    template <class SomeReach>
+    void search(SomeReach& reach) {
+        reach_ = &reach;
+        reach.setOuter(sphere_, best_.cellLine != 0 ? 4 * best_.value : std::numeric_limits<double>::infinity(), wanted_);
+        shared_.index.search(reach, none, *this);
+    }
+    // Only for the report of L22: (x-a).(x-b) / |a-b|^2 is a quarter of power / radius^2.
+    void candidate(std::uint32_t x) {
+        const SmallestPower found{sphere_.relativePower() / 4, line_, x};
+        if (!found.betterThan(best_)) return;
+        best_ = found;
+        reach_->setOuter(sphere_, 4 * best_.value, true);
+    }
+
     Shared& shared_;
     const Certificate& c_;
     Earliest& earliest_;
     Sphere sphere_;
+    const bool wanted_;
+    Reach* reach_ = nullptr;
     const Subsegment* part_ = nullptr;
+    std::uint64_t line_ = 0;
+    SmallestPower best_;
     std::uint32_t violating_ = none;
 };
 
@@ -190,9 +220,9 @@ void checkSubsegments(const Certificate& c, Earliest& earliest) {
 
 std::optional<Violation> ruleEmptiness(Check& check) {
     Shared shared(check);
-    inParallel(check.certificate.cells.size(), check.threads, 64, [&shared] {
-        return [worker = std::make_unique<CellWorker>(shared)](std::size_t begin, std::size_t end) {
-            for (std::size_t t = begin; t < end; ++t) worker->check(t);
+    inParallel(check.endCell - check.firstCell, check.threads, 64, [&] {
+        return [&check, worker = std::make_unique<CellWorker>(shared)](std::size_t begin, std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t) worker->check(check.firstCell + t);
         };
     });
     check.tieCount = shared.ties;

@@ -2,6 +2,7 @@
 #include "index.h"
 
 #include <algorithm>
+#include <numeric>
 #include <thread>
 
 namespace {
@@ -14,14 +15,22 @@ void Reach::setOuter(const Sphere& sphere, double relativePower, bool wanted) {
     outer = wanted ? radius2 * (1 + relativePower) * (1 + 1e-12) : -1;
 }
 
-Index::Index(const Certificate& certificate, unsigned threads) {
-    const std::uint32_t count = certificate.pointCount();
-    items_.resize(count);
-    for (std::uint32_t p = 0; p < count; ++p) {
+namespace {
+std::vector<std::uint32_t> allPoints(const Certificate& certificate) {
+    std::vector<std::uint32_t> points(certificate.pointCount());
+    std::iota(points.begin(), points.end(), std::uint32_t{0});
+    return points;
+}
+}  // namespace
+
+Index::Index(const Certificate& certificate, unsigned threads) : Index(certificate, allPoints(certificate), threads) {}
+
+Index::Index(const Certificate& certificate, const std::vector<std::uint32_t>& points, unsigned threads) {
+    for (const std::uint32_t p : points) {
         const auto& grid = certificate.points.grid(p);
-        items_[p] = {{grid[0], grid[1], grid[2]}, p, certificate.pointPlane[p]};
+        items_.push_back({{grid[0], grid[1], grid[2]}, p, certificate.pointPlane[p]});
     }
-    if (count > 0) nodes_ = build(0, count, threads);
+    if (!items_.empty()) nodes_ = build(0, items_.size(), threads);
 }
 
 std::vector<Index::Node> Index::build(std::size_t first, std::size_t last, unsigned threads) {

@@ -61,7 +61,8 @@ struct LongReach : Reach {
 
 class Index {
 public:
-    Index(const Certificate& certificate, unsigned threads);
+    Index(const Certificate& certificate, unsigned threads);  // of all points
+    Index(const Certificate& certificate, const std::vector<std::uint32_t>& points, unsigned threads);
 
     // Calls visitor.near(point) and visitor.far(point), the latter not for points whose only plane is `plane`.
     template <class SomeReach, class Visitor>

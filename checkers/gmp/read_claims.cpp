@@ -1,216 +1,233 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the certificate around the complex, section 3 of the format.
+// Reads the records of docs/lemma-claims.md, section 1.
 #include "read.h"
 
 #include <algorithm>
-#include <tuple>
+
+const BallParameter* Parameters::ball(std::uint32_t vertex) const {
+    const auto found = std::lower_bound(balls.begin(), balls.end(), vertex, [](const BallParameter& b, std::uint32_t v) { return b.vertex < v; });
+    return found != balls.end() && found->vertex == vertex ? &*found : nullptr;
+}
+const RowParameter* Parameters::row(std::uint32_t segment) const {
+    const auto found = std::lower_bound(rows.begin(), rows.end(), segment, [](const RowParameter& r, std::uint32_t s) { return r.segment < s; });
+    return found != rows.end() && found->segment == segment ? &*found : nullptr;
+}
+const Claim* Claims::find(Lemma lemma) const {
+    const auto found = std::find_if(claims.begin(), claims.end(), [lemma](const Claim& claim) { return claim.lemma == lemma; });
+    return found != claims.end() ? &*found : nullptr;
+}
 
 namespace {
 
-void readFirstLine(Text& text) {
-    text.begin("confidel-certificate");
+constexpr std::array<Lemma, 6> hypotheses = {Lemma::hAngle, Lemma::hBall, Lemma::hOffset, Lemma::hChord, Lemma::l1, Lemma::l21};
+constexpr std::array<Lemma, 6> refutable = {Lemma::l5, Lemma::l9, Lemma::l10, Lemma::l11, Lemma::l13, Lemma::l18};
+
+Lemma readLemma(Text& text) {
     text.space();
     const char* where = text.mark();
-    const std::string_view version = text.word();
-    text.finish();
-    const bool number = std::all_of(version.begin(), version.end(), [](char c) { return c >= '0' && c <= '9'; }) && version[0] != '0';
-    if (!number) text.failAt(where, "E-SYNTAX", "expected a version number from 1 on");
-    if (version != "1") throw Declined{"newer-version"};
+    const auto found = std::find(lemmaNames.begin(), lemmaNames.end(), text.word());
+    if (found == lemmaNames.end()) text.failAt(where, "E-SYNTAX", "unknown claim");
+    return static_cast<Lemma>(found - lemmaNames.begin());
 }
 
-void readNotes(Text& text) {
-    text.begin("notes");
-    const std::uint32_t count = readCount(text);
-    for (std::uint32_t i = 0; i < count; ++i) {
-        text.begin("n", {"parameters"});
-        text.space();
-        const char* where = text.mark();
-        const std::string_view key = text.word();
-        if (!std::all_of(key.begin(), key.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; }))
-            text.failAt(where, "E-SYNTAX", "a key consists of a-z and `-`");
-        text.space();
-        text.rest();
-    }
-}
-
-void readSteiner(Text& text, Certificate& c) {
-    static constexpr std::string_view names[] = {"projection", "edge", "offset", "arc", "interior"};
-    text.begin("points");
-    const std::uint32_t count = readCount(text);
-    if (std::uint64_t{c.vertexCount} + count > (std::uint64_t{1} << 31)) throw Declined{"too-large"};
-    c.steinerLine = text.line() + 1;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        text.begin("q", {"cells"});
-        text.space();
-        const char* where = text.mark();
-        const std::string_view name = text.word();
-        const auto found = std::find(std::begin(names), std::end(names), name);
-        if (found == std::end(names)) text.failAt(where, "E-SYNTAX", "unknown kind of point");
-        const auto kind = static_cast<PointKind>(found - std::begin(names));
-        text.space();
-        const std::uint32_t carrier = onSegment(kind) ? text.indexBelow(c.segments.size(), "segment")
-                                                      : text.indexBelow(c.facets.size(), "facet");
-        readCoordinates(text, c.dimension, c.points.raw());
-        c.steiner.push_back({kind, carrier});
-    }
-}
-
-std::uint32_t readOffset(Text& text, Certificate& c) {
+// A line of `claims`: the claim of a lemma, `claim conforms` (then nothing), or `refutes` (then claims.refutation is set).
+std::optional<Claim> readClaim(Text& text, Claims& claims) {
+    text.begin();
+    const std::uint64_t line = text.line();
     const char* where = text.mark();
-    const std::size_t first = c.offsets.size();
-    text.integer(c.offsets, '/');
+    const std::string_view keyword = text.word();
+    if (keyword == "refutes") {
+        const Lemma lemma = readLemma(text);
+        text.finish();
+        if (std::find(refutable.begin(), refutable.end(), lemma) == refutable.end()) text.failAt(where, "E-SYNTAX", "this is not a claim that can be refuted");
+        claims.refutation = Refutation{line, 0, lemma, none, none, none, 0, 0};
+        return std::nullopt;
+    }
+    if (keyword == "notes") text.failAt(where, "E-COUNT", "fewer claims than announced");
+    if (keyword != "claim") text.failAt(where, "E-SYNTAX", "expected `claim`");
+    text.space();
+    where = text.mark();
+    if (text.word() == "conforms") {
+        text.finish();
+        return std::nullopt;
+    }
+    text.rewind(where - 1);
+    Claim claim{readLemma(text), 0, line};
+    text.space();
+    claim.count = text.index();
+    text.finish();
+    return claim;
+}
+
+// The claims of a certificate that refutes are these, all of them.
+void readRefutingClaims(Text& text, Claims& claims, std::uint32_t count, std::optional<Claim> claim, const char* start) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (i > 0) {
+            claim = readClaim(text, claims);
+            start = text.lineStart();
+        }
+        const bool good = i < hypotheses.size() ? claim && claim->lemma == hypotheses[i] : i == hypotheses.size() && claims.refutation;
+        if (!good || (i + 1 == count && i < hypotheses.size())) text.failAt(start, "E-ORDER", "not the claims of a refutation, in order");
+        if (claim) claims.claims.push_back(*claim);
+    }
+}
+
+Rational readRational(Text& text) {
+    text.space();
+    const char* where = text.mark();
+    IntegerStore store;
+    text.integer(store, '/');
     text.slash();
-    text.integer(c.offsets);
-    const View numerator(c.offsets, first), denominator(c.offsets, first + 1);
-    Integer divisor;
-    mpz_gcd(divisor, numerator, denominator);
+    text.integer(store);
+    const View numerator(store, 0), denominator(store, 1);
     if (sign(denominator) <= 0) text.failAt(where, "E-VALUE", "the denominator is not positive");
-    if (mpz_cmp_ui(divisor.value, 1) != 0) text.failAt(where, "E-VALUE", "not in lowest terms");
-    if (sign(numerator) == 0) text.failAt(where, "E-VALUE", "an offset is not zero");
-    if (c.dimension == 2) text.failAt(where, "E-VALUE", "an offset in dimension 2");
-    return static_cast<std::uint32_t>(first / 2);
+    Whole divisor;
+    mpz_gcd(divisor.get_mpz_t(), numerator, denominator);
+    if (divisor != 1) text.failAt(where, "E-VALUE", "not in lowest terms");
+    Rational value;
+    mpz_set(value.get_num_mpz_t(), numerator);
+    mpz_set(value.get_den_mpz_t(), denominator);
+    return value;
 }
 
-void readCells(Text& text, Certificate& c) {
-    text.begin("cells", {"q"});
-    const std::uint32_t count = readCount(text);
-    c.cellLine = text.line() + 1;
-    const std::uint64_t points = c.pointCount();
-    std::uint32_t box = 0;
-    bool half = false;  // the second triangle of `box` has to follow
-    for (std::uint32_t i = 0; i < count; ++i) {
-        text.begin("t", {"rows"});
-        Cell cell{};
-        cell.offset = none;
-        text.space();
-        cell.facet = text.indexBelow(c.facets.size(), "facet");
-        for (std::uint32_t& corner : cell.corner) {
-            text.space();
-            corner = text.indexBelow(points, "point");
-        }
-        text.space();
-        const char* where = text.mark();
-        const std::string_view kind = text.word();
-        if (kind != "T" && kind != "S" && kind != "R" && kind != "C") text.failAt(where, "E-SYNTAX", "unknown kind of cell");
-        cell.kind = kind[0];
-        if (cell.kind == 'R') {
-            text.space();
-            where = text.mark();
-            if (text.index() != box) text.failAt(where, "E-ORDER", "boxes are numbered in order, on two consecutive lines each");
-            if (half) ++box;
-            half = !half;
-        } else if (half) {
-            text.failAt(where, "E-ORDER", "the second triangle of the box has to follow");
-        }
-        if (!text.atEnd()) {
-            text.space();
-            cell.offset = readOffset(text, c);
-        }
-        text.finish();
-        c.cells.push_back(cell);
-    }
-    text.begin("rows", {"t"});
-    c.boxCount = box;
-    if (half) text.failAt(text.mark(), "E-ORDER", "the second triangle of the box has to follow");
+Rational readPositive(Text& text, bool belowOne = false) {
+    const char* where = text.mark() + 1;
+    Rational value = readRational(text);
+    if (sgn(value) <= 0) text.failAt(where, "E-VALUE", "not positive");
+    if (belowOne && value >= 1) text.failAt(where, "E-VALUE", "not below 1");
+    return value;
 }
 
-// The line `rows R` has been begun.
-void readRows(Text& text, Certificate& c) {
-    const std::uint32_t count = readCount(text);
-    const std::uint64_t points = c.pointCount();
-    for (std::uint32_t i = 0; i < count; ++i) {
-        if (i == 0) text.begin("r", {"hanging"});
-        else text.begin("r", {"hanging", "#"});
-        Row row{};
-        row.line = text.line();
-        row.facet = none;
-        row.side = '+';
-        text.space();
-        const char* start = text.mark();
-        row.segment = text.indexBelow(c.segments.size(), "segment");
-        text.space();
-        const char* where = text.mark();
-        row.count = text.index();
-        if (!text.atEnd()) {
-            text.space();
-            row.facet = text.indexBelow(c.facets.size(), "facet");
-            text.space();
-            const char* sideMark = text.mark();
-            const std::string_view side = text.word();
-            if (side != "+" && side != "-") text.failAt(sideMark, "E-SYNTAX", "a side is `+` or `-`");
-            row.side = side[0];
-        }
-        text.finish();
-        if (row.count < 2) text.failAt(where, "E-VALUE", "a row has at least two points");
-        // `none` + 1 is 0: the segment's own block comes first; '+' < '-' in ASCII.
-        const auto key = [](const Row& r) { return std::tuple{r.segment, r.facet + 1, r.side}; };
-        if (i > 0 && key(c.rows.back()) >= key(row)) text.failAt(start, "E-ORDER", "rows are not strictly increasing");
-        row.first = c.rowPoints.size();
-        for (std::uint32_t k = 0; k < row.count; ++k) {
-            text.beginNumber({"r", "hanging"});
-            c.rowPoints.push_back(text.indexBelow(points, "point"));
-            text.finish();
-        }
-        c.rows.push_back(row);
-    }
-}
-
-void readHanging(Text& text, Certificate& c) {
-    text.begin("hanging", {"r", "#"});
-    const std::uint32_t count = readCount(text);
-    c.hangingLine = text.line() + 1;
-    const std::uint64_t points = c.pointCount();
-    for (std::uint32_t i = 0; i < count; ++i) {
-        text.begin("h", {"evidence"});
-        Subsegment part{};
-        text.space();
-        const char* where = text.mark();
-        part.segment = text.indexBelow(c.segments.size(), "segment");
-        text.space();
-        part.a = text.indexBelow(points, "point");
-        text.space();
-        part.b = text.indexBelow(points, "point");
-        text.finish();
-        if (i > 0 && c.hanging.back().segment > part.segment) text.failAt(where, "E-ORDER", "segments are not increasing");
-        c.hanging.push_back(part);
-    }
-}
-
-void readEnd(Text& text, Certificate& c) {
-    text.begin("end");
-    c.endLine = text.line();
-    c.digest = text.digestBeforeThisLine();
-    for (const std::size_t count : {std::size_t{c.vertexCount}, c.segments.size(), c.facets.size(), c.steiner.size(),
-                                    c.cells.size(), c.rows.size(), c.hanging.size()}) {
-        text.space();
-        const char* where = text.mark();
-        if (text.index() != count) text.failAt(where, "E-COUNT", "differs from the count announced");
-    }
+std::uint32_t readFactor(Text& text, std::uint32_t largest) {
     text.space();
     const char* where = text.mark();
-    c.statedDigest = text.word();
-    if (c.statedDigest.size() != 64 || !std::all_of(c.statedDigest.begin(), c.statedDigest.end(), [](char x) {
-            return (x >= '0' && x <= '9') || (x >= 'a' && x <= 'f');
-        }))
-        text.failAt(where, "E-SYNTAX", "a digest has 64 hexadecimal digits in lower case");
+    const std::uint32_t value = text.index();
+    if (value < 1 || value > largest) text.failAt(where, "E-VALUE", "out of range");
+    return value;
+}
+
+enum ParameterKind { lengthR, lengthH, angle, beta, offset, chord, rMax, ball, row };
+constexpr std::string_view parameterNames[] = {"r", "h", "angle", "beta", "offset", "chord", "r-max", "ball", "row"};
+
+void readParameter(Text& text, Certificate& c, ParameterKind kind) {
+    constexpr std::uint32_t anyFactor = 0x7fffffff;
+    Parameters& p = c.claims.parameters;
+    const std::uint64_t line = text.line();
+    switch (kind) {
+        case lengthR: p.r = {line, readPositive(text)}; break;
+        case lengthH: p.h = {line, readPositive(text)}; break;
+        case rMax: p.rMax = {line, readPositive(text)}; break;
+        case angle: {
+            const std::uint32_t factor = readFactor(text, 64);
+            p.angle = {line, factor, readPositive(text, true)};
+            break;
+        }
+        case beta: p.beta = {line, readFactor(text, anyFactor)}; break;
+        case offset: p.offset = {line, readFactor(text, anyFactor)}; break;
+        case chord: p.chord = {line, readFactor(text, anyFactor)}; break;
+        case ball: {
+            text.space();
+            const char* where = text.mark();
+            const std::uint32_t vertex = text.indexBelow(c.vertexCount, "vertex");
+            if (!p.balls.empty() && p.balls.back().vertex >= vertex) text.failAt(where, "E-ORDER", "balls are not strictly increasing");
+            p.balls.push_back({line, vertex, readPositive(text)});
+            break;
+        }
+        case row: {
+            text.space();
+            const char* where = text.mark();
+            RowParameter value;
+            value.line = line;
+            value.segment = text.indexBelow(c.segments.size(), "segment");
+            if (!p.rows.empty() && p.rows.back().segment >= value.segment) text.failAt(where, "E-ORDER", "rows are not strictly increasing");
+            value.offset = readPositive(text);
+            for (int end = 0; end < 2; ++end) {
+                value.a[end] = readPositive(text, true);
+                value.b[end] = readPositive(text, true);
+            }
+            p.rows.push_back(std::move(value));
+        }
+    }
     text.finish();
-    text.expectEnd();
 }
 
 }  // namespace
 
-void readCertificate(Certificate& c, const std::string& path, const std::string& complexPath) {
-    Text text(path);
-    readFirstLine(text);
-    readComplex(text, c, complexPath);
-    readLiteral(text, "claims", "1");
-    readLiteral(text, "claim", "conforms");
-    readNotes(text);
-    readLiteral(text, "parameters", "0", {"n"});
-    readSteiner(text, c);
-    readCells(text, c);
-    readRows(text, c);
-    readHanging(text, c);
-    readLiteral(text, "evidence", "0", {"h"});
-    readEnd(text, c);
+void readClaims(Text& text, Claims& claims) {
+    text.begin("claims");
+    text.space();
+    const char* where = text.mark();
+    const std::uint32_t count = text.index();
+    text.finish();
+    if (count == 0) text.failAt(where, "E-VALUE", "a certificate without a claim");
+    const std::optional<Claim> first = readClaim(text, claims);
+    if (first || claims.refutation) return readRefutingClaims(text, claims, count, first, text.lineStart());
+    for (std::uint32_t i = 1; i < count; ++i) {
+        const std::optional<Claim> claim = readClaim(text, claims);
+        if (!claim || (!claims.claims.empty() && claims.claims.back().lemma >= claim->lemma))
+            text.failAt(text.lineStart(), "E-ORDER", "claims are not in the order of the table");
+        claims.claims.push_back(*claim);
+    }
+}
+
+void readParameters(Text& text, Certificate& c) {
+    const Claims& claims = c.claims;
+    if (claims.claims.empty()) return readLiteral(text, "parameters", "0", {"n"});
+    text.begin("parameters", {"n"});
+    const std::uint32_t count = readCount(text);
+    int last = -1;
+    bool global = false;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        text.begin();
+        const char* where = text.mark();
+        const std::string_view word = text.word();
+        const auto found = std::find(std::begin(parameterNames), std::end(parameterNames), word);
+        if (word == "points") text.failAt(where, "E-COUNT", "fewer parameters than announced");
+        if (found == std::end(parameterNames)) text.failAt(where, "E-SYNTAX", "unknown parameter");
+        const auto kind = static_cast<ParameterKind>(found - parameterNames);
+        if (kind < last || (kind == last && kind < ball) || (kind == offset && claims.parameters.beta) || (kind >= ball && global))
+            text.failAt(where, "E-ORDER", "parameters are out of order, twice, or exclude each other");
+        last = kind;
+        global = global || kind < rMax;
+        readParameter(text, c, kind);
+    }
+}
+
+void readEvidence(Text& text, Certificate& c) {
+    Claims& claims = c.claims;
+    if (claims.claims.empty()) return readLiteral(text, "evidence", "0", {"h"});
+    if (claims.refutation) readLiteral(text, "evidence", "1", {"h"});
+    else text.begin("evidence", {"h"});
+    const std::uint64_t points = c.pointCount(), cells = c.cells.size();
+    const auto next = [&](std::uint64_t bound, const char* what) {
+        text.space();
+        return text.indexBelow(bound, what);
+    };
+    if (!claims.refutation) {
+        const bool wanted = claims.find(Lemma::l8) != nullptr;
+        const std::uint32_t count = readCount(text);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            text.begin("c", {"end"});
+            if (!wanted) text.failAt(text.lineStart(), "E-SYNTAX", "evidence for a claim that is not made");
+            Insertion insertion{};
+            insertion.line = text.line();
+            insertion.facet = next(c.facets.size(), "facet");
+            for (std::uint32_t& corner : insertion.corner) corner = next(points, "point");
+            insertion.point = next(points, "point");
+            text.finish();
+            claims.insertions.push_back(insertion);
+        }
+        return;
+    }
+    Refutation& refutation = *claims.refutation;
+    text.begin("x", {"end"});
+    refutation.evidenceLine = text.line();
+    refutation.cell = next(cells, "cell");
+    refutation.second = refutation.lemma == Lemma::l5 ? next(cells, "cell") : next(points, "point");
+    refutation.value = readRational(text);
+    if (refutation.lemma == Lemma::l18) {
+        refutation.point = next(points, "point");
+        refutation.other = readRational(text);
+    }
+    text.finish();
 }

@@ -35,6 +35,7 @@ std::string lastLine(const Outcome& outcome) {
     if (outcome.verdict == "UNDECIDED") return "s UNDECIDED " + outcome.why;
     if (outcome.verdict == "REJECTED")
         return "s REJECTED " + outcome.rule + " " + std::to_string(outcome.line) + " " + outcome.object;
+    if (outcome.verdict == "REFUTED") return "s REFUTED " + outcome.rule + " " + outcome.object;
     return "";
 }
 
@@ -63,6 +64,13 @@ void reportText(const Options& options, const Check& check, const Outcome& outco
         else
             std::puts("no point lies outside the plane of a cell");
     }
+    for (const ClaimReport& claim : check.claims) {
+        std::printf("claim %-7s %llu objects, %llu failures, ", std::string(nameOf(claim.lemma)).c_str(), static_cast<unsigned long long>(claim.objects),
+                    static_cast<unsigned long long>(claim.failures));
+        if (claim.hasSlack)
+            std::printf("smallest slack %s: line %llu, %s\n", rounded(claim.slack).c_str(), static_cast<unsigned long long>(claim.line), claim.object.c_str());
+        else std::puts("no slack");
+    }
     std::printf("%.3f seconds, %u threads\n", outcome.seconds, check.threads);
 }
 
@@ -73,6 +81,7 @@ void reportJson(const Options& options, const Check& check, const Outcome& outco
     text += ",\"certificate\":" + quoted(options.certificate);
     if (outcome.verdict == "REJECTED")
         text += ",\"rule\":" + quoted(outcome.rule) + ",\"line\":" + std::to_string(outcome.line) + ",\"object\":" + quoted(outcome.object);
+    if (outcome.verdict == "REFUTED") text += ",\"rule\":" + quoted(outcome.rule) + ",\"object\":" + quoted(outcome.object);
     if (outcome.verdict == "UNDECIDED") text += ",\"why\":" + quoted(outcome.why);
     if (outcome.malformed != nullptr)
         text += ",\"error\":" + quoted(outcome.malformed->code) + ",\"file\":" + quoted(outcome.malformed->file) +
@@ -104,6 +113,17 @@ void reportJson(const Options& options, const Check& check, const Outcome& outco
             text += "{\"value\":" + rounded(check.smallest.value) + ",\"cell-line\":" + std::to_string(check.smallest.cellLine) +
                     ",\"point\":" + std::to_string(check.smallest.point) + "}";
     }
+    text += ",\"claims\":[";
+    for (std::size_t i = 0; i < check.claims.size(); ++i) {
+        const ClaimReport& claim = check.claims[i];
+        if (i != 0) text += ',';
+        text += "{\"id\":" + quoted(std::string(nameOf(claim.lemma))) + ",\"objects\":" + std::to_string(claim.objects) +
+                ",\"failures\":" + std::to_string(claim.failures);
+        if (claim.hasSlack)
+            text += ",\"slack\":" + rounded(claim.slack) + ",\"line\":" + std::to_string(claim.line) + ",\"object\":" + quoted(claim.object) + "}";
+        else text += ",\"slack\":null,\"line\":null,\"object\":null}";
+    }
+    text += "]";
     char seconds[40];
     std::snprintf(seconds, sizeof seconds, "%.3f", outcome.seconds);
     text += std::string(",\"seconds\":") + seconds + ",\"threads\":" + std::to_string(check.threads) + "}";
@@ -114,7 +134,7 @@ void reportJson(const Options& options, const Check& check, const Outcome& outco
 
 void report(const Options& options, const Check& check, const Outcome& outcome) {
     if (options.json) reportJson(options, check, outcome);
-    else if (!options.quiet && (outcome.exitCode == 0 || outcome.exitCode == 3 || outcome.exitCode == 5)) reportText(options, check, outcome);
+    else if (!options.quiet && (outcome.exitCode <= 1 || outcome.exitCode == 3 || outcome.exitCode == 5)) reportText(options, check, outcome);
     const std::string line = lastLine(outcome);
     if (!line.empty()) std::fprintf(options.json ? stderr : stdout, "%s\n", line.c_str());
 }

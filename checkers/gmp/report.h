@@ -8,13 +8,15 @@ struct Options {
     std::string certificate, complex;
     unsigned threads = 1;
     bool json = false, quiet = false;
+    std::string cells;  // as given by --cells
+    std::uint64_t firstCell = 0, lastCell = 0;
 };
 
 struct Outcome {
     int exitCode = 70;
-    std::string verdict;                       // VERIFIED, REJECTED, UNDECIDED, MALFORMED, UNREADABLE
+    std::string verdict;                       // VERIFIED, REFUTED, REJECTED, UNDECIDED, MALFORMED, UNREADABLE
     std::string why;                           // UNDECIDED
-    std::string rule, object;                  // REJECTED
+    std::string rule, object;                  // REJECTED, REFUTED
     std::uint64_t line = 0;
     const Malformed* malformed = nullptr;
     const Unreadable* unreadable = nullptr;
@@ -22,5 +24,7 @@ struct Outcome {
     double seconds = 0;
 };
 
+// All rules and claims, in order.
+void decide(Check&, const Options&, Outcome&);
 // Everything on standard output, and the `s` line.
 void report(const Options&, const Check&, const Outcome&);

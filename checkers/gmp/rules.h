@@ -89,10 +89,25 @@ struct SmallestPower {
     }
 };
 
+struct ClaimReport {
+    Lemma lemma;
+    std::uint64_t objects = 0, failures = 0;
+    bool hasSlack = false;
+    double slack = 0;
+    std::uint64_t line = 0;
+    std::string object;
+    std::optional<Violation> violation;
+};
+
+class Shapes;
+
 struct Check {
     Certificate certificate;
     unsigned threads = 1;
-    SmallestPower smallest;
+    std::size_t firstCell = 0, endCell = 0;     // the cells that are asked for (--cells)
+    std::shared_ptr<Shapes> shapes;             // found by rule `kinds`, if it applies
+    std::vector<ClaimReport> claims;
+    SmallestPower smallest, smallestHanging;
     std::uint64_t tieCount = 0;                 // pairs of a cell and another point on its circle
     std::optional<Violation> tieViolation;      // found together with `emptiness`
 };

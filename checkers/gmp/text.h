@@ -58,6 +58,8 @@ public:
     void finish();
     std::string_view rest();            // text of single spaces and printable characters, up to the end
     const char* mark() const { return cursor_; }
+    const char* lineStart() const { return buffer_.data() + lineStart_; }
+    void rewind(const char* to) { cursor_ = to; }  // to a mark on the same line
     [[noreturn]] void fail(const char* code, const std::string& message) const;
     [[noreturn]] void failAt(const char* where, const char* code, const std::string& message) const;
 

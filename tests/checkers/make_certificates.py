@@ -24,6 +24,10 @@ def homogeneous(point):
     return " ".join("%x" % int(x * w) for x in map(Q, point)) + " %x" % w
 
 
+def rational(x):
+    return "%x/%x" % (Q(x).numerator, Q(x).denominator)
+
+
 def with_end(lines, counts, digest=None):
     text = "".join(line + "\n" for line in lines)
     digest = digest or hashlib.sha256(text.encode()).hexdigest()
@@ -38,6 +42,7 @@ class Certificate:
         self.facets = [dict(f) for f in facets]   # corners, boundary, inner, isolated
         self.points, self.cells = list(points), list(cells)
         self.rows, self.hanging, self.notes = list(rows), list(hanging), list(notes)
+        self.claims, self.parameters, self.evidence = ["claim conforms"], [], []
 
     def lines(self):
         out = [FIRST_LINE, "plc 1", "dim %d" % self.dim, "vertices %d" % len(self.vertices)]
@@ -50,16 +55,17 @@ class Certificate:
             inner, isolated = sorted(facet.get("inner", [])), sorted(facet.get("isolated", []))
             out += ["c %d" % len(inner)] + ["%d %d" % e for e in inner]
             out += ["p %d" % len(isolated)] + ["%d" % v for v in isolated]
-        out += ["end", "claims 1", "claim conforms", "notes %d" % len(self.notes)]
+        out += ["end", "claims %d" % len(self.claims)] + self.claims + ["notes %d" % len(self.notes)]
         out += ["n " + note for note in self.notes]
-        out += ["parameters 0", "points %d" % len(self.points)]
+        out += ["parameters %d" % len(self.parameters)] + self.parameters
+        out += ["points %d" % len(self.points)]
         out += ["q %s %s" % (carrier, homogeneous(p)) for carrier, p in self.points]
         out += ["cells %d" % len(self.cells)] + ["t " + cell for cell in self.cells]
         out += ["rows %d" % len(self.rows)]
         for header, members in self.rows:
             out += ["r %s" % header] + ["%d" % m for m in members]
         out += ["hanging %d" % len(self.hanging)] + ["h %d %d %d" % h for h in self.hanging]
-        return out + ["evidence 0"]
+        return out + ["evidence %d" % len(self.evidence)] + self.evidence
 
     def counts(self):
         return [len(x) for x in (self.vertices, self.segments, self.facets, self.points, self.cells, self.rows, self.hanging)]

@@ -138,14 +138,15 @@ def write_malformed(m):
     m.malformed("dim2-two-facets", m.edited(two, "facets 1", "facets 2"), "E-VALUE", "facets 2", "two facets in dimension 2")
     change("end-missing", syntax, "end", "claims 1", "the complex does not end")
     # 3
-    change("claims-two", syntax, "claims 1", "claims 2", "two claims")
-    change("claim-unknown", syntax, "claim conforms", "claim refutes", "an unknown claim")
-    change("claim-missing", syntax, "claim conforms", "notes 1", "no claim")
+    m.malformed("claims-fewer", text.replace("claims 1", "claims 2"), "E-COUNT", "notes 1", "fewer claims than announced")
+    change("claims-none", "E-VALUE", "claims 1", "claims 0", "no claims")
+    change("claim-unknown", syntax, "claim conforms", "claim L24 1", "an unknown claim")
+    change("claim-missing", "E-COUNT", "claim conforms", "notes 1", "no claim")
     change("note-key", syntax, "n strategy by hand", "n Strategy by hand", "an upper-case key")
     change("note-without-text", syntax, "n strategy by hand", "n strategy", "a note without text")
     m.malformed("notes-fewer", text.replace("notes 1", "notes 2"), "E-COUNT", "parameters 0", "fewer notes than announced")
     m.malformed("notes-more", text.replace("notes 1", "notes 0"), "E-COUNT", "n strategy by hand", "more notes than announced")
-    change("parameters", syntax, "parameters 0", "parameters 1", "parameters in version 1")
+    change("parameters", syntax, "parameters 0", "parameters 1", "parameters without a claim that has any")
     change("point-kind", syntax, "q edge 3 1 1 7 1", "q corner 3 1 1 7 1", "an unknown kind of point")
     m.malformed("points-fewer", text.replace("points 2", "points 3"), "E-COUNT", "cells 3", "fewer points than announced")
     m.malformed("points-more", text.replace("points 2", "points 1"), "E-COUNT", "q edge 3 1 1 7 1", "more points than announced")
@@ -181,7 +182,7 @@ def write_malformed(m):
     m.malformed("hanging-fewer", text.replace("hanging 2", "hanging 3"), "E-COUNT", "evidence 0", "fewer subsegments than announced")
     m.malformed("hanging-more", text.replace("hanging 2", "hanging 1"), "E-COUNT", "h 3 6 4", "more subsegments than announced")
     change("hanging-unsorted", "E-ORDER", "h 3 6 4", "h 2 6 4", "subsegments of decreasing segments")
-    change("evidence", syntax, "evidence 0", "evidence 1", "evidence in version 1")
+    change("evidence", syntax, "evidence 0", "evidence 1", "evidence without a claim that has any")
     fields = last.split(" ")
     for position, name in enumerate(["vertices", "segments", "facets", "points", "cells", "rows", "hanging"], 1):
         other = fields[:position] + [str(int(fields[position]) + 1)] + fields[position + 1:]
