@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/placement/estimate.h"
+#include "core/placement/open_hull.h"
 #include "core/placement/point_index.h"
 
 namespace confidel {
@@ -315,6 +316,7 @@ class Refinement {
 }  // namespace
 
 Placement place_graded(const Complex& complex, const Features& features, const Limits& limits, Progress& progress) {
+  if (auto placement = place_with_open_hull(complex, features, limits, progress)) return std::move(*placement);
   Refinement refinement(complex, features, limits, progress);
   return refinement.run();
 }
