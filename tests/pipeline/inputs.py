@@ -19,6 +19,9 @@ EXAMPLES = {
     "fan-skew.off": 59,
     "hanging-edge.obj": None,
     "facet-parts.poly": None,
+    "corner-45.poly": None,
+    "courtyard.poly": None,
+    "star-1.poly": None,
 }
 
 # Degrees, abscissa of the second triangle's apex (0.5: the mirror image of the first) -> points expected.
