@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The certificate's writer: docs/certificate-format.md, section 3.
+// The certificate's writer: docs/certificate-format.md section 3, docs/lemma-claims.md section 1.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ struct CertificateSummary {
 /// KEY TEXT pairs without meaning: strategy, seed, options, tool.
 using CertificateNotes = std::vector<std::pair<std::string, std::string>>;
 
-/// Writes the certificate for the claim `conforms`; compressed if the path ends in .zst. Written to the temporary name (in the
+/// Writes the certificate for the claim `conforms` and the placement's own claims, or for its refutation; compressed if the path ends in .zst. Written to the temporary name (in the
 /// same folder) and renamed when complete: the path never holds half a certificate. Same arguments, same bytes.
-/// Throws FileError.
+/// Pre: claims are in the order of lemma-claims.md. Throws FileError.
 CertificateSummary write_certificate(const std::string& path, const std::string& temporary, const Complex& complex, const Placement& placement,
                                      const CertificateNotes& notes);
 
