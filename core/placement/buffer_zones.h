@@ -147,7 +147,7 @@ class BufferZones {
   int add_point(Point point, PointKind kind, int carrier);
   int add_reference(const Point& point, PointKind kind, int carrier);
   void build_rows(const BufferSizes& sizes);
-  void build_sectors(const BufferSizes& sizes, bool all_isolated);
+  void build_sectors(const BufferSizes& sizes);
   template <class Pieces>
   void divide_arcs(Pieces pieces);
   Point arc_point(const Sector& sector, double angle) const;
