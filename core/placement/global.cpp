@@ -17,8 +17,8 @@ namespace {
 
 // Refinement ends at circumradius (1 + eta) h, because circumcentres are rounded by eta h/4 (theory.md section 5).
 constexpr double eta = 1.0 / 16;
-// Buffer zones up to this size are built and tested whatever --max-points says: a refutation needs no more.
-constexpr double tested_points = 2e6;
+// Buffer zones up to this size are built and tested even where --max-points will refuse what follows: they may refute.
+constexpr double tested_points = 3e5;
 // Chew's refinement puts one point on so many h^2 of a facet; measured on cubes, tetrahedra, fans and wedges.
 constexpr double area_per_point = 1.45;
 
@@ -48,18 +48,18 @@ class GlobalStrategy {
     index_new_points();
     if (const auto witness = find_crossing(zones_)) return refuted(*witness);
     choose_spacing();
-    if (count_arcs() > greatest_buffer()) refuse();
+    if (too_many(count_arcs())) refuse();
     zones_.divide_sectors(spacing_);
     index_new_points();
     if (auto placement = test_buffer_zones(false)) return *placement;
-    if (count_arcs() + count_rows() > greatest_buffer()) refuse();
+    if (too_many(count_arcs() + count_rows())) refuse();
     zones_.divide_rows(spacing_);
     index_new_points();
     if (auto placement = test_buffer_zones(true)) return *placement;
     test_hanging();
     const double expected = estimate();
     progress_.estimated(expected);
-    if (limits_.max_points > 0 && expected > static_cast<double>(limits_.max_points)) refuse();
+    if (exceeds(expected)) refuse();
     zones_.build_regions();
     refine();
     test_regions();
@@ -113,7 +113,8 @@ class GlobalStrategy {
     for (const auto& row : zones_.rows_view()) count += (1.0 + row.protectors.size()) * (1 + length_of(row) / spacing_.place);
     return count;
   }
-  double greatest_buffer() const { return limits_.max_points > 0 ? std::max<double>(tested_points, limits_.max_points) : 1e300; }
+  bool exceeds(double points) const { return limits_.max_points > 0 && points > static_cast<double>(limits_.max_points); }
+  bool too_many(double buffer_points) const { return buffer_points > tested_points && exceeds(estimate()); }
 
   double estimate() const {
     double area = 0;
@@ -169,7 +170,7 @@ class GlobalStrategy {
     }
     bool stopped() override {
       const long count = owner_.zones_.point_count() + owner_.placed_.load(std::memory_order_relaxed);
-      return (owner_.limits_.max_points > 0 && count > owner_.limits_.max_points) || owner_.progress_.stop_requested(count);
+      return owner_.exceeds(count) || owner_.progress_.stop_requested(count);
     }
     bool boundary_gives_way() override { return false; }
     void inserted(const std::array<int, 3>& triangle, int vertex) override { insertions.emplace_back(triangle, vertex); }
@@ -212,7 +213,7 @@ class GlobalStrategy {
     }
     index_new_points();
     const bool open = std::any_of(refinements.begin(), refinements.end(), [](const auto& refinement) { return refinement.open; });
-    if (open || (limits_.max_points > 0 && zones_.point_count() > limits_.max_points)) throw LimitReached("max-points", zones_.point_count());
+    if (open || exceeds(zones_.point_count())) throw LimitReached("max-points", zones_.point_count());
   }
 
   // What the refined triangles and the buffer zones do to each other: proved for `repaired`, and tested for all.

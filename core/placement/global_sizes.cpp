@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -52,17 +51,14 @@ GlobalRule paper_rule(const std::optional<mpq_class>& beta_share) {
 }
 
 GlobalSizes global_sizes(const Features& features, const GlobalRule& rule) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  double delta = infinity, phi = std::numbers::pi / 4, alpha = std::numbers::pi;
-  for (double distance : features.vertex_distance) delta = std::min(delta, distance);
-  for (double distance : features.segment_distance) delta = std::min(delta, distance);
+  double phi = std::numbers::pi / 4, alpha = std::numbers::pi;
   for (const auto* angles : {&features.segment_angle, &features.facet_angle}) {
     if (angles == &features.facet_angle && !rule.facet_angles) continue;
     for (const auto& ends : *angles) phi = std::min({phi, ends[0], ends[1]});
   }
   for (double angle : features.dihedral_angle) alpha = std::min(alpha, angle);
   GlobalSizes sizes;
-  sizes.radius = rounded_down(std::min(delta, 8.0) / 3 * (1 - 0x1p-40), radius_bits).get_d();
+  sizes.radius = rounded_down(std::min(features.separation, 8.0) / 3 * (1 - 0x1p-40), radius_bits).get_d();
   sizes.angle_cosine = witness_of_angle(phi / rule.angle_multiple * (1 - 0x1p-40));
   const double psi = 2 * std::asin(std::sqrt(mpq_class((1 - sizes.angle_cosine) / 2).get_d()));
   const double chord = 2 * sizes.radius * std::sin(rule.chord * psi * below);
