@@ -17,10 +17,12 @@ namespace {
 
 // Refinement ends at circumradius (1 + eta) h, because circumcentres are rounded by eta h/4 (theory.md section 5).
 constexpr double eta = 1.0 / 16;
+// The estimate must exceed --max-points by this factor before a run is refused for it.
+constexpr double estimate_margin = 1.2;
 // Buffer zones up to this size are built and tested even where --max-points will refuse what follows: they may refute.
 constexpr double tested_points = 3e5;
-// Chew's refinement puts one point on so many h^2 of a facet; measured on cubes, tetrahedra, fans and wedges.
-constexpr double area_per_point = 1.45;
+// Chew's refinement puts one point on so many h^2 of a facet, half a point of its boundary counted; measured on cubes, fans and wedges.
+constexpr double area_per_point = 1.7;
 
 BufferSizes buffer_sizes(const Complex& complex, const Features& features, const GlobalSizes& global) {
   BufferSizes sizes;
@@ -48,18 +50,18 @@ class GlobalStrategy {
     index_new_points();
     if (const auto witness = find_crossing(zones_)) return refuted(*witness);
     choose_spacing();
-    if (too_many(count_arcs())) refuse();
+    if (count_arcs() > tested_points && too_many(estimate())) refuse();
     zones_.divide_sectors(spacing_);
     index_new_points();
     if (auto placement = test_buffer_zones(false)) return *placement;
-    if (too_many(count_arcs() + count_rows())) refuse();
+    if (count_arcs() + count_rows() > tested_points && too_many(estimate())) refuse();
     zones_.divide_rows(spacing_);
     index_new_points();
     if (auto placement = test_buffer_zones(true)) return *placement;
     test_hanging();
     const double expected = estimate();
     progress_.estimated(expected);
-    if (exceeds(expected)) refuse();
+    if (too_many(expected)) refuse();
     zones_.build_regions();
     refine();
     test_regions();
@@ -114,7 +116,7 @@ class GlobalStrategy {
     return count;
   }
   bool exceeds(double points) const { return limits_.max_points > 0 && points > static_cast<double>(limits_.max_points); }
-  bool too_many(double buffer_points) const { return buffer_points > tested_points && exceeds(estimate()); }
+  bool too_many(double points) const { return exceeds(points / estimate_margin); }
 
   double estimate() const {
     double area = 0;
@@ -123,7 +125,9 @@ class GlobalStrategy {
         area += 0.5 * length(cross(approximate_difference(complex_.vertices[b], complex_.vertices[a]), approximate_difference(complex_.vertices[c], complex_.vertices[a])));
     for (const auto& row : zones_.rows_view()) area -= row.protectors.size() * length_of(row) * sizes_.offset;
     for (const auto& sector : zones_.sectors_view()) area -= 0.5 * sizes_.radius * sizes_.radius * (sector.last - sector.first);
-    return count_arcs() + count_rows() + std::max(0.0, area) / (area_per_point * spacing_.least * spacing_.least);
+    double boundary = count_arcs();
+    for (const auto& row : zones_.rows_view()) boundary += row.protectors.size() * length_of(row) / spacing_.place;
+    return count_arcs() + count_rows() + std::max(0.0, area / (area_per_point * spacing_.least * spacing_.least) - boundary / 2);
   }
 
   [[noreturn]] void refuse() const {
