@@ -15,8 +15,11 @@
 #include "core/complex/build.h"
 #include "core/features/features.h"
 #include "core/io/read.h"
+#include "core/placement/global.h"
 #include "core/placement/graded.h"
 #include "core/placement/lean.h"
+#include "core/placement/planar.h"
+#include "core/placement/saalfeld.h"
 #include "proofs/certificate/writer.h"
 
 namespace confidel {
@@ -26,7 +29,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ConformOptions {
-  std::string file, output, strategy = "lean";
+  std::string file, output, strategy = "lean", beta;
+  double max_circumradius = 0;  ///< exactly this double; 0: no bound
+  GlobalRule rule;  ///< of paper and repaired
   BuildOptions build;
   long max_points = 3'000'000;
   double time_limit = 0;
@@ -74,6 +79,13 @@ struct Run {
   }
 };
 
+// What a refuted statement says of its cell.
+const char* explanation(const std::string& statement) {
+  if (statement == "L5") return "the protectors of two edges cross";
+  if (statement == "L18") return "no sphere through a triangle of a buffer zone is empty, whatever points are added";
+  return "the smallest sphere through a triangle of a buffer zone contains a point";
+}
+
 void describe(Run& run, const Placement& placement, const CertificateSummary& summary) {
   std::map<std::string, long> kinds, cells;
   for (const PlacedPoint& point : placement.points)
@@ -92,6 +104,11 @@ void describe(Run& run, const Placement& placement, const CertificateSummary& su
   run.report["estimated_points"] = std::llround(run.meter.estimate());
   run.report["certificate"] = {{"file", run.options.output}, {"bytes", summary.file_bytes}, {"text_bytes", summary.text_bytes}};
   run.report["complex_sha256"] = summary.complex_sha256;
+  if (placement.refutation) {
+    run.report["refutes"] = placement.refutation->statement;
+    run.say("strategy {} is refuted on this input: {}. The certificate holds the cell, its witnesses and no more\n", run.options.strategy,
+            explanation(placement.refutation->statement));
+  }
   run.say("strategy {}: {} Steiner points{}{}{}, {} cells\n", run.options.strategy, steiner, by_kind.empty() ? "" : " (", by_kind,
           by_kind.empty() ? "" : ")", placement.cells.size());
   run.say("certificate: {} ({} bytes)\ncomplex: SHA-256 {}\n", run.options.output, summary.file_bytes, summary.complex_sha256);
@@ -105,6 +122,14 @@ int undecided(Run& run, const std::string& why, long reached) {
   std::string verdict = fmt::format("s UNDECIDED {} reached={}", why, reached);
   if (run.meter.estimate() > 0) verdict += fmt::format(" estimate={:.0f}", run.meter.estimate());
   return run.finish(verdict, exit_undecided);
+}
+
+CertificateNotes notes_of(const ConformOptions& options) {
+  CertificateNotes notes{{"strategy", options.strategy}};
+  if (!options.beta.empty()) notes.emplace_back("beta", options.beta);
+  if (options.max_circumradius > 0) notes.emplace_back("max-circumradius", fmt::format("{}", options.max_circumradius));
+  notes.emplace_back("tool", "confidel " CONFIDEL_VERSION);
+  return notes;
 }
 
 int check(Run& run, const Complex& complex) {
@@ -127,7 +152,7 @@ int check(Run& run, const Complex& complex) {
   std::string stages;
   for (const auto& [name, value] : run.seconds.items()) stages += fmt::format("{}{} {:.2f} s", stages.empty() ? "" : ", ", name, value.get<double>());
   run.say("{}; peak memory {} MB\n", stages, peak_memory() >> 20);
-  if (checker.exit_code == exit_success || checker.exit_code == exit_undecided || checker.exit_code == exit_interrupted)
+  if (checker.exit_code == exit_success || checker.exit_code == exit_refuted || checker.exit_code == exit_undecided || checker.exit_code == exit_interrupted)
     return run.finish(checker.verdict, checker.exit_code);
   // Our own certificate must never be rejected: that is our fault, whatever the input.
   fmt::print(stderr, "confidel: error[E-INTERNAL]: the checker does not accept the certificate that was written to {}; please report it with {}\n",
@@ -135,10 +160,32 @@ int check(Run& run, const Complex& complex) {
   return run.finish(checker.verdict, exit_internal);
 }
 
+// One place for all strategies.
+Placement place(Run& run, const Complex& complex, const Features& features) {
+  const ConformOptions& options = run.options;
+  Limits limits;
+  limits.max_points = options.max_points;
+  limits.threads = options.threads;
+  if (options.strategy == "graded") return place_graded(complex, features, limits, run.meter);
+  if (options.strategy == "saalfeld") return place_saalfeld(complex, features, limits, run.meter);
+  if (!options.rule.name.empty() && complex.dimension == 2) {
+    PlanarOptions planar{options.rule, {}};
+    if (options.max_circumradius > 0) planar.greatest_circumradius = mpq_class(options.max_circumradius);
+    return place_planar(complex, features, planar, limits, run.meter);
+  }
+  if (!options.rule.name.empty()) return place_global(complex, features, options.rule, limits, run.meter);
+  LeanReport lean;
+  Placement placement = place_lean(complex, features, limits, run.meter, &lean);
+  run.report["lean"] = {{"placed", lean.placed}, {"removed", lean.removed}, {"protected_by_graded", lean.fell_back}, {"reason", lean.reason}};
+  if (lean.fell_back) run.say("lean: {}; the whole input is protected as the graded strategy does\n", lean.reason);
+  return placement;
+}
+
 int run_conform(const ConformOptions& options) {
   Run run(options);
   run.report["file"] = options.file;
   run.report["strategy"] = options.strategy;
+  if (!options.beta.empty()) run.report["beta"] = options.beta;
   run.report["threads"] = options.threads;
   run.meter.at("reading", 0);
   const BuiltComplex built = build_complex(read_input(options.file), options.build);
@@ -149,23 +196,18 @@ int run_conform(const ConformOptions& options) {
   run.report["facets"] = complex.facets.size();
   run.say("{}: {} vertices, {} segments, {} facets\n", options.file, complex.vertices.size(), complex.segments.size(), complex.facets.size());
   run.finish_stage("read");
+  if (complex.dimension == 3 && (options.strategy == "saalfeld" || options.max_circumradius > 0)) {
+    fmt::print(stderr, "confidel: error[E-USAGE]: {} is for planar inputs; {} is of dimension 3\n",
+               options.strategy == "saalfeld" ? "--strategy saalfeld" : "--max-circumradius", options.file);
+    return exit_bad_input;
+  }
   run.meter.at("measuring features", 0);
   const Features features = compute_features(complex);
   run.finish_stage("features");
 
-  Limits limits;
-  limits.max_points = options.max_points;
-  limits.threads = options.threads;
   Placement placement;
   try {
-    if (options.strategy == "graded") {
-      placement = place_graded(complex, features, limits, run.meter);
-    } else {
-      LeanReport lean;
-      placement = place_lean(complex, features, limits, run.meter, &lean);
-      run.report["lean"] = {{"placed", lean.placed}, {"removed", lean.removed}, {"protected_by_graded", lean.fell_back}, {"reason", lean.reason}};
-      if (lean.fell_back) run.say("lean: {}; the whole input is protected as the graded strategy does\n", lean.reason);
-    }
+    placement = place(run, complex, features);
   } catch (const LimitReached& limit) {
     return undecided(run, run.meter.reason() != nullptr ? run.meter.reason() : limit.what(), limit.points_reached);
   } catch (const StrategyFailed& failure) {
@@ -178,12 +220,31 @@ int run_conform(const ConformOptions& options) {
     const PartialFile partial(options.output);
     const CertificateSummary summary =
         write_certificate(options.output, partial.name(), complex, placement,
-                          {{"strategy", options.strategy}, {"tool", "confidel " CONFIDEL_VERSION}});
+                          notes_of(options));
     run.finish_stage("write");
     describe(run, placement, summary);
   }
   placement = Placement();
   return check(run, complex);
+}
+
+// The rule of the global strategies; none for the others. Throws CLI::ParseError where --beta makes no sense.
+GlobalRule rule_of(const ConformOptions& options) {
+  if (!options.beta.empty() && options.strategy != "paper") throw CLI::ValidationError("--beta", "is for --strategy paper only");
+  if (options.max_circumradius > 0 && options.strategy != "paper" && options.strategy != "repaired")
+    throw CLI::ValidationError("--max-circumradius", "is for --strategy repaired or paper");
+  if (options.strategy == "repaired") return repaired_rule();
+  if (options.strategy != "paper") return {};
+  if (options.beta.empty()) return paper_rule();
+  mpq_class share;
+  if (options.beta.size() > 20 || options.beta.find_first_not_of("0123456789/") != std::string::npos || share.set_str(options.beta, 10) != 0 || share.get_den() == 0)
+    throw CLI::ValidationError("--beta", "a part such as 1/3 is expected");
+  share.canonicalize();
+  try {
+    return paper_rule(share);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--beta", error.what());
+  }
 }
 
 }  // namespace
@@ -194,8 +255,15 @@ void add_conform(CLI::App& app, Selection& selection) {
       "conform", "Place Steiner points so that the Delaunay triangulation conforms; write a certificate and have it checked");
   command->add_option("FILE", options->file, "The input: .poly, .smesh, .off, .obj, .stl, .ply, .mesh")->required();
   command->add_option("-o,--output", options->output, "The certificate: .cert, or .cert.zst (compressed)")->required();
-  command->add_option("--strategy", options->strategy, "lean: as few points as possible; graded: the paper's strategy made local, protects everything")
-      ->check(CLI::IsMember({"lean", "graded"}))->capture_default_str();
+  command->add_option("--strategy", options->strategy,
+                  "lean: as few points as possible; graded: the paper's strategy made local, protects everything; "
+                  "repaired: the paper's with its parameters repaired, paper: with those printed (these two end by showing where it fails); "
+                  "saalfeld: edge refinement only (planar inputs)")
+      ->check(CLI::IsMember({"lean", "graded", "repaired", "paper", "saalfeld"}))->capture_default_str();
+  command->add_option("--beta", options->beta, "With --strategy paper: the angle of an edge's protectors at its ends as a part of phi, such as 1/3, instead of what is printed")
+      ->option_text("P/Q");
+  command->add_option("--max-circumradius", options->max_circumradius, "Planar inputs with --strategy repaired or paper: no circumradius is greater (Theorem 2.1)")
+      ->check(CLI::PositiveNumber);
   command->add_option("--max-points", options->max_points, "UNDECIDED when more points are needed; 0: no limit")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("--time-limit", options->time_limit, "UNDECIDED after this time, such as 90, 90s or 5m")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE));
@@ -206,8 +274,9 @@ void add_conform(CLI::App& app, Selection& selection) {
   add_build_options(*command, options->build);
   command->add_flag("--json", options->json, "One JSON document on standard output; the verdict's line goes to standard error");
   command->add_flag("-q,--quiet", options->quiet, "Only the last line");
-  command->footer("Example: confidel conform examples/w3.smesh -o w3.cert\nExit codes: 0 verified, 2 bad input, 3 undecided, 4 unreadable file, 70 internal error, 130 interrupted.");
+  command->footer("Example: confidel conform examples/w3.smesh -o w3.cert\nExit codes: 0 verified, 1 refuted (paper, repaired), 2 bad input, 3 undecided, 4 unreadable file, 70 internal error, 130 interrupted.");
   command->callback([options, &selection] {
+    options->rule = rule_of(*options);
     if (options->threads == 0) options->threads = std::max(1U, std::thread::hardware_concurrency());
     selection.run = [options] { return run_conform(*options); };
   });

@@ -45,6 +45,19 @@ class Computation {
     });
   }
 
+  /// To the nearest segment that is disjoint from it, if nearer than the limit.
+  double distance_to_segments(SegmentId segment, double limit) const {
+    const auto [a, b] = complex_.segments[segment];
+    const std::array self{&corners_[a], &corners_[b]};
+    Box box = self[0]->box;
+    box.extend(self[1]->box);
+    Vector direction{};
+    return segments_.search(
+        Probe(box, self[0]->position, self[1]->position), limit,
+        [a = a, b = b](const Labels& vertices) { return contains(vertices, a) || contains(vertices, b); },
+        [&](SegmentId other, double nearest) { return nearer(self, complex_.segments[other], nearest, direction); });
+  }
+
   double segment_distance(SegmentId segment) const {
     const auto [a, b] = complex_.segments[segment];
     const std::array self{&corners_[a], &corners_[b]};
@@ -144,6 +157,11 @@ Features compute_features(const Complex& complex) {
     features.dihedral_angle[segment] =
         smallest_dihedral_angle(complex, computation.incidence(), computation.corners(), segment);
   });
+  // A segment and a facet that are disjoint are nearest at an end of the segment or on the facet's boundary.
+  features.separation = infinity;
+  for (const double distance : features.vertex_distance) features.separation = std::min(features.separation, distance);
+  for (int segment = 0; segment < segments; ++segment)
+    features.separation = computation.distance_to_segments(segment, features.separation);
   return features;
 }
 

@@ -28,6 +28,9 @@ struct Features {
   /// alpha_e: smallest dihedral angle between two sheets at e (an inner constraint counts as two sheets); pi if fewer
   /// than two.
   std::vector<double> dihedral_angle;
+  /// delta: smallest distance of two disjoint entities, of which one is a vertex or segment (lemma-claims.md section 2: facets as they
+  /// are, whatever their triangulation). Infinity if there are none.
+  double separation = 0;
 };
 
 /// Pre: complex is valid and its facets are triangulated. Near-linear through a bounding-volume hierarchy;

@@ -30,21 +30,39 @@ std::vector<HalfEdge> half_edges(const Facet& facet) {
   return result;
 }
 
+// Segments and facets' isolated places at each vertex.
+std::vector<int> incidences_of(const Complex& complex) {
+  std::vector<int> incidences(complex.vertices.size(), 0);
+  for (const Segment& segment : complex.segments)
+    for (VertexId v : segment) ++incidences[v];
+  for (const Facet& facet : complex.facets)
+    for (VertexId v : facet.isolated) ++incidences[v];
+  return incidences;
+}
+
 }  // namespace
 
-BufferZones::BufferZones(const Complex& complex, const BufferSizes& sizes) : complex_(complex), radius_(sizes.radius) {
+BufferZones::BufferZones(const Complex& complex, const BufferSizes& sizes, Stage) : complex_(complex), radius_(sizes.radius) {
   for (const Point& vertex : complex.vertices) add_reference(vertex, PointKind::vertex, -1);
   for (const Facet& facet : complex.facets) frames_.emplace_back(complex, facet);
   tolerances_.resize(complex.vertices.size());
   for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     const double angle = std::min(1.0, sizes.vertex_angle[v]);
-    tolerances_[v] = sizes.radius[v] * angle * angle * 0x1p-12;
+    tolerances_[v] = sizes.radius[v] * angle * angle * sizes.vertex_precision;
   }
   build_rows(sizes);
   build_sectors(sizes);
+}
+
+BufferZones::BufferZones(const Complex& complex, const BufferSizes& sizes) : BufferZones(complex, sizes, Stage::ends) {
+  std::vector<int> incidences = incidences_of(complex);
+  // Nothing else is near: it stays a free vertex of P''.
+  std::erase_if(sectors_, [&](const Sector& sector) { return sector.full && incidences[sector.vertex] < 2; });
+  divide_arcs([&](const Sector& sector) {
+    const double angle = sector.last - sector.first;
+    return std::max(sector.full ? 6 : 1, static_cast<int>(std::ceil(angle / sizes.greatest_arc - 1e-9)));
+  });
   build_regions();
-  row_marks_.resize(rows_.size());
-  sector_marks_.resize(sectors_.size());
 }
 
 int BufferZones::add_reference(const Point& point, PointKind kind, int carrier) {
@@ -60,12 +78,7 @@ int BufferZones::add_point(Point point, PointKind kind, int carrier) {
 
 void BufferZones::build_rows(const BufferSizes& sizes) {
   const Complex& complex = complex_;
-  std::vector<int> incidences(complex.vertices.size(), 0);
-  for (const Segment& segment : complex.segments)
-    for (VertexId v : segment) ++incidences[v];
-  for (const Facet& facet : complex.facets)
-    for (VertexId v : facet.isolated) ++incidences[v];
-
+  const std::vector<int> incidences = incidences_of(complex);
   row_of_segment_.resize(complex.segments.size());
   for (std::size_t s = 0; s < complex.segments.size(); ++s) {
     row_of_segment_[s] = static_cast<int>(s);
@@ -112,7 +125,7 @@ void BufferZones::build_rows(const BufferSizes& sizes) {
     // Offsets of the sheets at one edge must agree to within 1 - cos(alpha): R's condition o'.(o'-o) > 0 (theory.md section 5).
     const double precision = [&] {
       const double half = std::sin(sizes.dihedral[row.segment] / 2);
-      return std::min(0x1p-10, half * half / 8);  // 1 - cos(alpha) = 2 sin^2(alpha/2)
+      return std::min(sizes.offset_precision, half * half / 8);  // 1 - cos(alpha) = 2 sin^2(alpha/2)
     }();
     for (Protector& protector : row.protectors) {
       double unit = 0;
@@ -134,12 +147,6 @@ Point BufferZones::arc_point(const Sector& sector, double angle) const {
 
 void BufferZones::build_sectors(const BufferSizes& sizes) {
   const Complex& complex = complex_;
-  std::vector<int> incidences(complex.vertices.size(), 0);
-  for (const Segment& segment : complex.segments)
-    for (VertexId v : segment) ++incidences[v];
-  for (const Facet& facet : complex.facets)
-    for (VertexId v : facet.isolated) ++incidences[v];
-
   for (std::size_t f = 0; f < complex.facets.size(); ++f) {
     const Facet& facet = complex.facets[f];
     const Double3 normal = frames_[f].unit_normal();
@@ -180,7 +187,7 @@ void BufferZones::build_sectors(const BufferSizes& sizes) {
         double angle = std::atan2(dot(end.direction, turned), dot(end.direction, begin.direction));
         if (angle <= 0 || spokes.size() == 1) angle += 2 * std::numbers::pi;
         if (spokes.size() == 1) angle = 2 * std::numbers::pi;
-        Sector sector{static_cast<FacetId>(f), v, false, begin.direction, turned, {}, {}, {}, {}};
+        Sector sector{static_cast<FacetId>(f), v, false, 0, 0, begin.direction, turned, {}, {}, {}, {}};
         const auto attach = [&](int side, VertexId from, VertexId to) {
           const int index = complex.find_segment(from, to);
           sector.row[side] = index;
@@ -191,37 +198,82 @@ void BufferZones::build_sectors(const BufferSizes& sizes) {
         attach(0, v, begin.other);
         attach(1, end.other, v);
         const double r = sizes.radius[v];
-        const double first = std::asin(std::min(1.0, sizes.offset[sector.row[0]] / r));
-        const double last = angle - std::asin(std::min(1.0, sizes.offset[sector.row[1]] / r));
+        sector.first = std::asin(std::min(1.0, sizes.offset[sector.row[0]] / r));
+        sector.last = angle - std::asin(std::min(1.0, sizes.offset[sector.row[1]] / r));
         const auto offset_point = [&](int side) {
           const Row& row = rows_[sector.row[side]];
           const auto& points = row.protectors[sector.protector[side]].points;
           return complex.segments[row.segment][0] == v ? points.front() : points.back();
         };
-        const int pieces = std::max(1, static_cast<int>(std::ceil((last - first) / sizes.greatest_arc - 1e-9)));
-        sector.arc.push_back({first, offset_point(0)});
-        for (int i = 1; i < pieces; ++i) {
-          const double at = first + (last - first) * i / pieces;
-          sector.arc.push_back({at, add_point(arc_point(sector, at), PointKind::arc, sector.facet)});
-        }
-        sector.arc.push_back({last, offset_point(1)});
-        sector.free.assign(sector.arc.size() - 1, 0);
+        sector.arc = {{sector.first, offset_point(0)}, {sector.last, offset_point(1)}};
         sectors_.push_back(std::move(sector));
       }
     }
     for (VertexId v : facet.isolated) {
-      if (incidences[v] < 2) continue;  // nothing else is near: it stays a free vertex of P''
       const Double3 x = unit_vector(direction(complex.vertices[facet.frame[0]], complex.vertices[facet.frame[1]]));
-      Sector sector{static_cast<FacetId>(f), v, true, x, cross(normal, x), {}, {}, {}, {}};
-      const int pieces = std::max(6, static_cast<int>(std::ceil(2 * std::numbers::pi / sizes.greatest_arc - 1e-9)));
-      for (int i = 0; i < pieces; ++i) {
-        const double at = 2 * std::numbers::pi * i / pieces;
-        sector.arc.push_back({at, add_point(arc_point(sector, at), PointKind::arc, sector.facet)});
-      }
-      sector.arc.push_back({2 * std::numbers::pi, sector.arc.front().point});
-      sector.free.assign(sector.arc.size() - 1, 0);
-      sectors_.push_back(std::move(sector));
+      sectors_.push_back({static_cast<FacetId>(f), v, true, 0, 2 * std::numbers::pi, x, cross(normal, x), {}, {}, {}, {}});
     }
+  }
+}
+
+// pieces(sector): into how many equal subarcs. A full circle begins with an arc point of its own.
+template <class Pieces>
+void BufferZones::divide_arcs(Pieces pieces) {
+  for (Sector& sector : sectors_) {
+    const int count = pieces(static_cast<const Sector&>(sector));
+    std::vector<ArcPoint> arc;
+    for (int i = 0; i <= count; ++i) {
+      const double at = sector.first + (sector.last - sector.first) * i / count;
+      if (!sector.full && (i == 0 || i == count))
+        arc.push_back(i == 0 ? sector.arc.front() : sector.arc.back());
+      else if (i == count)
+        arc.push_back({at, arc.front().point});
+      else
+        arc.push_back({at, add_point(arc_point(sector, at), PointKind::arc, sector.facet)});
+    }
+    sector.arc = std::move(arc);
+    sector.free.assign(sector.arc.size() - 1, 0);
+  }
+}
+
+void BufferZones::divide_sectors(const Spacing& spacing) {
+  for (std::size_t v = 0; v < tolerances_.size(); ++v)
+    tolerances_[v] = std::min(tolerances_[v], spacing.least * spacing.least / radius_[v] * 0x1p-24);
+  divide_arcs([&](const Sector& sector) {
+    const double r = radius_[sector.vertex], angle = sector.last - sector.first;
+    const double unit = 2 * std::asin(spacing.place / (2 * r));
+    int count = std::max(2, static_cast<int>(std::floor(angle / unit * (1 + 1e-9))));
+    // Just below three units, two chords are longer than 1.5 least: there three chords are not shorter than least.
+    if (2 * r * std::sin(angle / (2 * count)) > 1.5 * spacing.least * (1 - 0x1p-30)) ++count;
+    return count;
+  });
+}
+
+void BufferZones::divide_rows(const Spacing& spacing) {
+  for (Row& row : rows_) {
+    const auto [first, second] = complex_.segments[row.segment];
+    const Point &p = complex_.vertices[first], &q = complex_.vertices[second];
+    const double size = length(approximate_difference(q, p));
+    const double length_between = length(approximate_difference(point(row.stations.back().point), point(row.stations.front().point)));
+    const long count = std::max(1L, static_cast<long>(std::floor(length_between / spacing.place * (1 + 1e-12))));
+    std::vector<Station> stations{row.stations.front()};
+    const long double low = row.stations.front().t.approximate(), high = row.stations.back().t.approximate();
+    for (long i = 1; i < count; ++i) {
+      Dyadic t = round_to(low + (high - low) * i / count, spacing.least / size * 0x1p-24);
+      const int id = add_point(along(p, q, t), PointKind::edge, row.segment);
+      stations.push_back({std::move(t), id});
+    }
+    stations.push_back(row.stations.back());
+    for (Protector& protector : row.protectors) {
+      std::vector<int> points{protector.points.front()};
+      for (long i = 1; i < count; ++i)
+        points.push_back(add_point(translate(point(stations[i].point), protector.factor, protector.direction), PointKind::offset, protector.facet));
+      points.push_back(protector.points.back());
+      protector.points = std::move(points);
+      protector.free.assign(count, 0);
+    }
+    row.stations = std::move(stations);
+    row.free.assign(count, 0);
   }
 }
 
@@ -239,6 +291,8 @@ void BufferZones::own(FacetRegion& region, int first, int second, const Owner& o
 }
 
 void BufferZones::build_regions() {
+  row_marks_.resize(rows_.size());
+  sector_marks_.resize(sectors_.size());
   for (std::size_t f = 0; f < complex_.facets.size(); ++f) regions_.emplace_back(projection_of(complex_.facets[f].normal));
   const auto connect = [&](FacetId f, int a, int b, const Owner& owner) {
     FacetRegion& region = regions_[f];
@@ -276,6 +330,22 @@ void BufferZones::build_regions() {
 int BufferZones::projection_point(const Sector& sector, int side) const {
   const Row& row = rows_[sector.row[side]];
   return complex_.segments[row.segment][0] == sector.vertex ? row.stations.front().point : row.stations.back().point;
+}
+
+std::array<int, 3> BufferZones::corners(const BufferCell& cell) const {
+  const Sector& sector = sectors_[cell.sector];
+  if (cell.kind == CellKind::S) return {sector.vertex, sector.arc[cell.index].point, sector.arc[cell.index + 1].point};
+  if (cell.index == 0) return {sector.vertex, projection_point(sector, 0), sector.arc.front().point};
+  return {sector.vertex, sector.arc.back().point, projection_point(sector, 1)};
+}
+
+std::array<int, 4> BufferZones::box(const BufferCell& cell) const {
+  const Row& row = rows_[cell.row];
+  const Protector& protector = row.protectors[cell.protector];
+  const int i = cell.index;
+  // Along the segment the region is on the left: the protector's points follow on the way back.
+  if (protector.left) return {row.stations[i].point, row.stations[i + 1].point, protector.points[i + 1], protector.points[i]};
+  return {row.stations[i + 1].point, row.stations[i].point, protector.points[i], protector.points[i + 1]};
 }
 
 void BufferZones::adopt_new_vertices(FacetId facet) {
@@ -414,22 +484,24 @@ Placement BufferZones::result() const {
   const auto add = [&](FacetId facet, int a, int b, int c, CellKind kind, int box) {
     cells[facet].push_back({facet, {a, b, c}, kind, box, {}});
   };
-  for (const Sector& sector : sectors_) {
+  for (std::size_t s = 0; s < sectors_.size(); ++s) {
+    const Sector& sector = sectors_[s];
+    const auto place = [&](CellKind kind, int index) {
+      const auto [a, b, c] = corners({kind, static_cast<int>(s), -1, -1, index});
+      add(sector.facet, a, b, c, kind, -1);
+    };
     if (!sector.full) {
-      add(sector.facet, sector.vertex, projection_point(sector, 0), sector.arc.front().point, CellKind::T, -1);
-      add(sector.facet, sector.vertex, sector.arc.back().point, projection_point(sector, 1), CellKind::T, -1);
+      place(CellKind::T, 0);
+      place(CellKind::T, 1);
     }
-    for (std::size_t i = 0; i + 1 < sector.arc.size(); ++i)
-      add(sector.facet, sector.vertex, sector.arc[i].point, sector.arc[i + 1].point, CellKind::S, -1);
+    for (std::size_t i = 0; i + 1 < sector.arc.size(); ++i) place(CellKind::S, static_cast<int>(i));
   }
-  for (const Row& row : rows_)
-    for (const Protector& protector : row.protectors)
-      for (std::size_t i = 0; i + 1 < protector.points.size(); ++i) {
-        // Along the segment the region is on the left: the protector's points follow on the way back.
-        std::array<int, 4> box{row.stations[i].point, row.stations[i + 1].point, protector.points[i + 1], protector.points[i]};
-        if (!protector.left) box = {row.stations[i + 1].point, row.stations[i].point, protector.points[i], protector.points[i + 1]};
-        add(protector.facet, box[0], box[1], box[2], CellKind::R, 0);
-        add(protector.facet, box[0], box[2], box[3], CellKind::R, 0);
+  for (std::size_t r = 0; r < rows_.size(); ++r)
+    for (std::size_t p = 0; p < rows_[r].protectors.size(); ++p)
+      for (std::size_t i = 0; i + 1 < rows_[r].stations.size(); ++i) {
+        const auto [a, b, c, d] = box({CellKind::R, -1, static_cast<int>(r), static_cast<int>(p), static_cast<int>(i)});
+        add(rows_[r].protectors[p].facet, a, b, c, CellKind::R, 0);
+        add(rows_[r].protectors[p].facet, a, c, d, CellKind::R, 0);
       }
   int boxes = 0;
   for (std::size_t f = 0; f < cells.size(); ++f) {

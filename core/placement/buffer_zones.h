@@ -22,12 +22,36 @@ struct BufferSizes {
   std::vector<double> vertex_angle;
   std::vector<double> dihedral;  ///< alpha_e per segment
   double greatest_arc = 1.0471975511965976;  ///< subarcs at the beginning: at most 60 degrees
+  /// Rounding at a vertex, relative to r_v times the square of its smallest angle; and of offsets, relative to them.
+  double vertex_precision = 0x1p-12, offset_precision = 0x1p-10;
+};
+
+/// One spacing for everything (theory.md section 3): chords and intervals lie in [least, 1.5 least], near place or above.
+struct Spacing {
+  double place = 0;  ///< h0
+  double least = 0;  ///< h, a little below
+};
+
+/// One cell of the buffer zones, or the two of a rectangle.
+struct BufferCell {
+  CellKind kind = CellKind::T;
+  int sector = -1;               ///< T and S
+  int row = -1, protector = -1;  ///< R
+  int index = 0;                 ///< T: 0 opens, 1 closes the sector; S: of the subarc; R: of the interval
 };
 
 class BufferZones {
  public:
-  /// Pre: complex is valid and triangulated.
+  /// Pre: complex is valid and triangulated. Everything, coarse: one interval per edge, arcs of at most greatest_arc.
   BufferZones(const Complex& complex, const BufferSizes& sizes);
+
+  /// In steps, for strategies with one spacing: the ends of rows, and sectors as wide as these leave them (no arc points; a sector
+  /// may be empty or negative, if sizes are wrong). Then the three steps, in this order, once each.
+  enum class Stage { ends };
+  BufferZones(const Complex& complex, const BufferSizes& sizes, Stage);
+  void divide_sectors(const Spacing& spacing);
+  void divide_rows(const Spacing& spacing);
+  void build_regions();
 
   struct Station {
     Dyadic t;
@@ -58,6 +82,7 @@ class BufferZones {
     FacetId facet;
     VertexId vertex;
     bool full;
+    double first = 0, last = 0;  ///< the arc's range of angles
     Double3 x, y;  ///< unit vectors: direction of the first edge, and that turned by 90 degrees in the facet
     std::array<int, 2> row{-1, -1}, protector{-1, -1};  ///< at the first and the last edge
     std::vector<ArcPoint> arc;
@@ -72,6 +97,7 @@ class BufferZones {
   const Complex& complex() const { return complex_; }
   std::vector<Row>& rows() { return rows_; }
   std::vector<Sector>& sectors() { return sectors_; }
+  const std::vector<Row>& rows_view() const { return rows_; }
   const std::vector<Sector>& sectors_view() const { return sectors_; }
   Region& region(FacetId facet) { return regions_[facet].region; }
   const PlaneFrame& frame(FacetId facet) const { return frames_[facet]; }
@@ -88,6 +114,10 @@ class BufferZones {
 
   /// The points m and a next to an edge's end in a sector: [0] at the first edge, [1] at the last.
   int projection_point(const Sector& sector, int side) const;
+
+  /// The corners of a cell, counter-clockwise; a rectangle's four, the first two on its segment.
+  std::array<int, 3> corners(const BufferCell& cell) const;
+  std::array<int, 4> box(const BufferCell& cell) const;
 
   /// Marks an interval for splitting: of a row, of a sector, or whatever owns a region's boundary segment.
   void request_row(int row, int interval);
@@ -118,7 +148,8 @@ class BufferZones {
   int add_reference(const Point& point, PointKind kind, int carrier);
   void build_rows(const BufferSizes& sizes);
   void build_sectors(const BufferSizes& sizes);
-  void build_regions();
+  template <class Pieces>
+  void divide_arcs(Pieces pieces);
   Point arc_point(const Sector& sector, double angle) const;
   int region_vertex(FacetRegion& region, int point);
   void own(FacetRegion& region, int first_point, int second_point, const Owner& owner);

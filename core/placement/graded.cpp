@@ -13,6 +13,7 @@
 #include "core/placement/estimate.h"
 #include "core/placement/open_hull.h"
 #include "core/placement/point_index.h"
+#include "core/placement/sphere.h"
 
 namespace confidel {
 
@@ -39,25 +40,6 @@ BufferSizes graded_sizes(const Complex& complex, const Features& features) {
 }
 
 namespace {
-
-struct Ball {
-  Double3 centre;
-  double radius;
-};
-
-// The smallest sphere through a, b, c, inflated by a bound on its error: for pruning only.
-Ball circumscribed_ball(const Point& a, const Point& b, const Point& c, Double3* offset = nullptr) {
-  const Double3 u = approximate_difference(b, a), w = approximate_difference(c, a), n = cross(u, w);
-  const double uu = dot(u, u), ww = dot(w, w), nn = dot(n, n);
-  const Double3 z = (uu / (2 * nn)) * cross(w, n) + (ww / (2 * nn)) * cross(n, u);
-  if (offset != nullptr) *offset = z;
-  // The centre's relative error is about 20 u / sin^2 of the angle at a.
-  const double sine_square = nn / (uu * ww);
-  const double inflation = 1e-12 + 1e-14 / sine_square;
-  Ball ball{a.approximate() + z, length(z) * (1 + inflation) + 1e-15};
-  if (!std::isfinite(ball.radius) || inflation > 1) ball = {Double3{0, 0, 0}, 1e10};  // everything
-  return ball;
-}
 
 // A refinement that ends within so many points needs no estimate: its number of points is known.
 constexpr int pilot_points = 20000;
@@ -116,18 +98,13 @@ class Refinement {
     return recent;
   }
 
-  // theory.md section 4: power < 0, or = 0 off the plane; and, so that ties do not cross constraints (L18b), = 0 in the plane
-  // beyond the constraint (first, second), if there is one.
   bool encroached(const PointIndex& index, Projection projection, const Point& a, const Point& b, const Point& c,
                   const Point* first = nullptr, const Point* second = nullptr) const {
     const Ball ball = circumscribed_ball(a, b, c);
     return index.visit_ball(ball.centre, ball.radius, [&](int id) {
       const Point& p = zones_.point(id);
       if (&p == &a || &p == &b || &p == &c) return false;
-      const int power = diametral_power(a, b, c, p);
-      if (power != 0) return power < 0;
-      if (orientation(a, b, c, p) != 0) return true;
-      return first != nullptr && planar_orientation(projection, *first, *second, p) < 0;
+      return encroaches(projection, a, b, c, p, first, second);
     });
   }
 
@@ -229,14 +206,11 @@ class Refinement {
       Double3 offset;
       circumscribed_ball(a, b, c, &offset);
       const double radius = length(offset);
-      // eta R / 4 with eta = 1/16 (theory.md section 5). From the facet's origin the numerators stay short; next to
-      // features that are tiny against the facet only a close base is accurate enough.
-      const PlaneFrame& frame = owner_.zones_.frame(facet_);
-      const Point& origin = owner_.complex_.vertices[owner_.complex_.facets[facet_].frame[0]];
       owner_.placed_.fetch_add(1, std::memory_order_relaxed);
       ++own_;
-      if (radius > owner_.reach_[facet_] * 0x1p-36) return frame.round(origin, approximate_difference(a, origin) + offset, radius / 64);
-      return frame.round(a, offset, radius / 64);
+      const Point& origin = owner_.complex_.vertices[owner_.complex_.facets[facet_].frame[0]];
+      // eta R / 4 with eta = 1/16 (theory.md section 5).
+      return CircumcentreRounding{owner_.zones_.frame(facet_), origin, owner_.reach_[facet_]}.round(a, offset, radius / 64);
     }
     bool stopped() override {
       // A facet that uses up the pilot alone stops once, so that the estimate comes early: the same for any number of threads.

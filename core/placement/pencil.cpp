@@ -44,8 +44,16 @@ Difference certificate_normal(const Complex& complex, const Facet& facet) {
   return {cross(u.vector, w.vector), u.exponent + w.exponent};
 }
 
-mpq_class pencil_parameter(const Point& a, const Point& b, const Point& c, const Point& x, const Difference& normal) {
-  // Differences over one common exponent e: P0 = value / 2^(2e), n.(x-a) = value / 2^(normal.exponent + e).
+namespace {
+
+// Over one common exponent e: P0 = power / square / 2^(2e), x - a = to_x / 2^e.
+struct ScaledPower {
+  int e;
+  IntegerVector to_x;
+  mpz_class power, square;
+};
+
+ScaledPower scaled_power(const Point& a, const Point& b, const Point& c, const Point& x) {
   const int e = std::max({a.exponent(), b.exponent(), c.exponent(), x.exponent()});
   const auto to = [&](const Point& p) {
     IntegerVector result;
@@ -56,16 +64,30 @@ mpq_class pencil_parameter(const Point& a, const Point& b, const Point& c, const
   const IntegerVector u = to(b), w = to(c), d = to(x), n = cross(u, w);
   const mpz_class nn = dot(n, n);
   // |n|^2 P0 = |n|^2 |d|^2 - |u|^2 (d x w).n - |w|^2 (u x d).n, as in predicates.cpp.
-  const mpz_class power = nn * dot(d, d) - dot(u, u) * dot(cross(d, w), n) - dot(w, w) * dot(cross(u, d), n);
-  mpq_class result(power, mpz_class(2 * nn * dot(normal.vector, d)));
-  result.canonicalize();
-  // power/nn has 2^(2e), the product below 2^(normal.exponent + e).
-  const int shift = 2 * e - (normal.exponent + e);
-  if (shift >= 0)
-    mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), shift);
+  return {e, d, nn * dot(d, d) - dot(u, u) * dot(cross(d, w), n) - dot(w, w) * dot(cross(u, d), n), nn};
+}
+
+// value / 2^exponent.
+mpq_class divided(mpq_class value, int exponent) {
+  value.canonicalize();
+  if (exponent >= 0)
+    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), exponent);
   else
-    mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), -shift);
-  return result;
+    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), -exponent);
+  return value;
+}
+
+}  // namespace
+
+mpq_class pencil_parameter(const Point& a, const Point& b, const Point& c, const Point& x, const Difference& normal) {
+  const ScaledPower p = scaled_power(a, b, c, x);
+  // n.(x-a) is the product below / 2^(normal.exponent + e).
+  return divided(mpq_class(p.power, mpz_class(2 * p.square * dot(normal.vector, p.to_x))), 2 * p.e - (normal.exponent + p.e));
+}
+
+mpq_class power_of(const Point& a, const Point& b, const Point& c, const Point& x) {
+  const ScaledPower p = scaled_power(a, b, c, x);
+  return divided(mpq_class(p.power, p.square), 2 * p.e);
 }
 
 mpq_class choose_offset(const std::optional<mpq_class>& low, const std::optional<mpq_class>& high, double scale) {

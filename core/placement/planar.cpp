@@ -15,8 +15,6 @@ namespace confidel {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-// phi' = 12 psi: phi'/3, phi'/4, phi'/12 and the printed chords are multiples of psi.
-constexpr int angle_multiple = 12;
 constexpr double hair = 0x1p-30;
 // A run is refused before it begins when the estimate exceeds --max-points by this factor.
 constexpr double estimate_margin = 1.5;
@@ -102,7 +100,7 @@ class Planar {
     for (const auto& ends : features_.segment_angle) phi = std::min({phi, ends[0], ends[1]});
     if (!(phi > 1e-7)) throw StrategyFailed("an angle is below 1e-7 radians: too sharp for global parameters");
     phi_ = phi * (1 - hair);
-    cosine_ = witness_of_angle(phi_ / angle_multiple);
+    cosine_ = witness_of_angle(phi_ / options_.rule.angle_multiple);
     double radius = delta / 3;
     if (options_.greatest_circumradius) {
       const mpq_class bound = *options_.greatest_circumradius * power_of_two(-complex_.scale) * mpq_class(19, 10);
@@ -111,15 +109,8 @@ class Planar {
     if (!std::isfinite(radius)) radius = 1;  // nothing is near anything
     radius_ = rounded_down(radius * (1 - hair), 24);
     r_ = approximate(radius_);
-    if (!options_.literal) {
-      beta_multiple_ = 4;
-      beta_ = phi_ / 3;
-    } else if (options_.beta_factor) {
-      beta_multiple_ = static_cast<int>(mpq_class(*options_.beta_factor * angle_multiple).get_num().get_si());
-      beta_ = phi_ * approximate(*options_.beta_factor);
-    } else {
-      beta_ = std::asin(2 * std::sin(phi_ / 4));
-    }
+    const double psi = phi_ / options_.rule.angle_multiple;
+    beta_ = options_.rule.beta > 0 ? options_.rule.beta * psi : std::asin(2 * std::sin(options_.rule.chord * psi));
     beta_ *= 1 - 0x1p-20;
     bits_ = 24 + static_cast<int>(std::ceil(std::log2(1 / beta_)));
   }
@@ -195,9 +186,8 @@ class Planar {
 
   // h: the printed chord of phi/2, or less where that leaves too little of an arc or of an edge; 2 r sin(phi*/12) repaired.
   void choose_spacing() {
-    chord_multiple_ = options_.literal ? 3 : 1;
-    double h = 2 * r_ * std::sin(phi_ / angle_multiple * chord_multiple_);
-    if (options_.literal) {
+    double h = 2 * r_ * std::sin(phi_ / options_.rule.angle_multiple * options_.rule.chord);
+    if (options_.rule.fit) {
       h = std::min(h, r_ * std::sin(beta_));  // d_e >= h
       for (const Sector& sector : sectors_) h = std::min(h, 2 * r_ * std::sin(std::min(sector.angle, phi_) / 4));
     }
@@ -206,7 +196,7 @@ class Planar {
 
   void set_spacing(double h) {
     spacing_ = rounded_down(h, 30);
-    const mpq_class cosine = cosine_of_multiple(chord_multiple_, cosine_);
+    const mpq_class cosine = cosine_of_multiple(options_.rule.chord, cosine_);
     while (spacing_ * spacing_ > 4 * radius_ * radius_ * (1 - cosine * cosine)) spacing_ *= mpq_class(4095, 4096);
     h_ = approximate(spacing_);
   }
@@ -373,10 +363,11 @@ class Planar {
     Parameters& parameters = placement_.parameters;
     parameters.radius = radius_ * unit;
     parameters.spacing = spacing_ * unit;
-    parameters.angle_multiple = angle_multiple;
+    parameters.angle_multiple = options_.rule.angle_multiple;
     parameters.angle_cosine = cosine_;
-    (beta_multiple_ > 0 ? parameters.beta : parameters.offset) = beta_multiple_ > 0 ? beta_multiple_ : 3;
-    parameters.chord = chord_multiple_;
+    if (options_.rule.beta > 0) parameters.beta = options_.rule.beta;
+    else parameters.offset = options_.rule.chord;
+    parameters.chord = options_.rule.chord;
     parameters.greatest_circumradius = options_.greatest_circumradius;
   }
 
@@ -438,7 +429,7 @@ class Planar {
   std::vector<std::array<int, 2>> outline_;
   double phi_ = 0, beta_ = 0, r_ = 0, h_ = 0;
   mpq_class cosine_, radius_, spacing_;
-  int beta_multiple_ = 0, chord_multiple_ = 0, bits_ = 0, boxes_ = 0;
+  int bits_ = 0, boxes_ = 0;
   Placement placement_;
 };
 

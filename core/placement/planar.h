@@ -7,15 +7,14 @@
 
 #include "core/complex/complex.h"
 #include "core/features/features.h"
+#include "core/placement/global.h"
 #include "core/placement/placement.h"
 
 namespace confidel {
 
 struct PlanarOptions {
-  /// The paper's parameters as printed; otherwise the repaired ones.
-  bool literal = false;
-  /// beta = factor * phi in place of the printed maximum of d_e; literal only. Pre: 0 < factor <= 1/2, 12 factor is an integer.
-  std::optional<mpq_class> beta_factor;
+  /// paper_rule() or repaired_rule(); what it says of facets is of no effect.
+  GlobalRule rule;
   /// r_max of Theorem 2.1, in the input's coordinates: every circumradius is at most this, exactly.
   std::optional<mpq_class> greatest_circumradius;
 };

@@ -203,6 +203,7 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
   auto& self = *implementation_;
   auto& t = self.triangulation;
   Refinement result;
+  const bool ruppert = environment.boundary_gives_way();
   // Greatest circumradius first (approximate: it only steers), ties by vertex numbers.
   using Entry = std::tuple<double, int, int, int>;
   std::priority_queue<Entry> queue;
@@ -241,7 +242,12 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
     self.own_points.push_back(
         environment.circumcentre(self.point(f->vertex(0)), self.point(f->vertex(1)), self.point(f->vertex(2))));
     const Point& centre = self.own_points.back();
-    const auto [home, blocking] = self.walk(f, centre);
+    auto [home, blocking] = self.walk(f, centre);
+    if (home == FaceHandle() && !ruppert) {
+      // A walk may run into the boundary although the straight way is free.
+      const FaceHandle located = t.locate(PlanarPoint{&centre}, f);
+      if (self.inside(located)) home = located;
+    }
     if (home == FaceHandle()) {
       if (blocking.first != FaceHandle())
         result.blocking.push_back(self.ends(blocking));
@@ -257,14 +263,16 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
     t.get_conflicts_and_boundary(PlanarPoint{&centre}, std::back_inserter(conflicts), std::back_inserter(rim), home);
     const std::size_t before = result.blocking.size();
     for (const Edge& e : rim)
-      if (t.is_constrained(e) && self.encroaches(e, centre)) result.blocking.push_back(self.ends(e));
+      if (ruppert && t.is_constrained(e) && self.encroaches(e, centre)) result.blocking.push_back(self.ends(e));
     if (taken) result.stuck = true;
     if (taken || result.blocking.size() > before) {
       self.own_points.pop_back();
       continue;
     }
+    const std::array<int, 3> corners{f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()};
     VertexHandle v = self.number(t.insert(PlanarPoint{&centre}, home));
     ++result.inserted;
+    environment.inserted(corners, v->info());
     auto g = t.incident_faces(v), end = g;
     do {
       g->info() = FaceInfo{true, false};

@@ -23,6 +23,11 @@ class RegionEnvironment {
   virtual Point circumcentre(const Point& a, const Point& b, const Point& c) = 0;
   /// True when a limit is reached: refinement returns at once.
   virtual bool stopped() = 0;
+  /// Must boundary segments that a circumcentre encroaches be split instead of inserting it (Ruppert's rule)? If not, every
+  /// circumcentre inside is inserted (Chew's rule): only for spacings where none comes near the boundary.
+  virtual bool boundary_gives_way() { return true; }
+  /// Told after each insertion: the triangle whose circumcentre it was, counter-clockwise, and the new vertex.
+  virtual void inserted(const std::array<int, 3>& /*triangle*/, int /*vertex*/) {}
 };
 
 /// Vertices are numbered from 0 in order of insertion. Points are referred to, not copied: they must outlive the region.

@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(repaired_is_exact) {
   for (const char* name : {"corner-45.poly", "courtyard.poly"}) {
     const Complex complex = example(name);
     double estimate = 0;
-    const Placement placement = place_exactly(complex, {}, &estimate);
+    const Placement placement = place_exactly(complex, {repaired_rule(), {}}, &estimate);
     BOOST_TEST(!placement.refutation);
     check_exactly(complex, placement);
     BOOST_TEST(estimate > 0.5 * placement.points.size());
@@ -123,8 +123,7 @@ BOOST_AUTO_TEST_CASE(repaired_is_exact) {
 
 BOOST_AUTO_TEST_CASE(circumradii_are_bounded_on_request) {
   const Complex complex = example("corner-45.poly");
-  PlanarOptions options;
-  options.greatest_circumradius = mpq_class(1, 4);
+  PlanarOptions options{repaired_rule(), mpq_class(1, 4)};
   const Placement placement = place_exactly(complex, options);
   BOOST_TEST(100 * *placement.parameters.radius * *placement.parameters.radius * 16 <= 361);
   for (const PlacedCell& cell : placement.cells)
@@ -134,8 +133,7 @@ BOOST_AUTO_TEST_CASE(circumradii_are_bounded_on_request) {
 
 BOOST_AUTO_TEST_CASE(printed_offsets_are_refuted) {
   const Complex complex = example("corner-45.poly");
-  PlanarOptions options;
-  options.literal = true;
+  PlanarOptions options{paper_rule(), {}};
   const Placement placement = place_exactly(complex, options);
   BOOST_TEST_REQUIRE(placement.refutation.has_value());
   BOOST_TEST(placement.refutation->statement == "L5");
@@ -144,7 +142,7 @@ BOOST_AUTO_TEST_CASE(printed_offsets_are_refuted) {
   BOOST_TEST(std::abs(mpq_class(placement.refutation->values[0] / (r * r)).get_d() + 0.005728) < 1e-6);
   BOOST_TEST(placement.points.size() == complex.vertices.size() + 4);
   // With beta = phi/3 nothing is refuted.
-  options.beta_factor = mpq_class(1, 3);
+  options.rule = paper_rule(mpq_class(1, 3));
   const Placement third = place_exactly(complex, options);
   BOOST_TEST(!third.refutation);
   check_exactly(complex, third);
@@ -153,7 +151,7 @@ BOOST_AUTO_TEST_CASE(printed_offsets_are_refuted) {
 BOOST_AUTO_TEST_CASE(too_many_points_are_refused_with_the_estimate) {
   const Complex complex = example("courtyard.poly");
   test::SilentProgress progress;
-  BOOST_CHECK_THROW(place_planar(complex, compute_features(complex), {}, Limits{100, 1}, progress), LimitReached);
+  BOOST_CHECK_THROW(place_planar(complex, compute_features(complex), {repaired_rule(), {}}, Limits{100, 1}, progress), LimitReached);
   BOOST_TEST(progress.estimate > 100);
 }
 
