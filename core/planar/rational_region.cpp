@@ -26,11 +26,12 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 using FT = Kernel::FT;
 
-FT number(const mpq_class& value) { return FT(FT::Exact_type(value.get_mpq_t())); }
+// CGAL::CGAL is found with GMPXX: its exact numbers are ours.
+static_assert(std::is_same_v<FT::Exact_type, mpq_class>);
 
-mpq_class rational(const FT& value) {
-  return mpq_class(value.exact().backend().data());
-}
+FT number(const mpq_class& value) { return FT(value); }
+
+mpq_class rational(const FT& value) { return value.exact(); }
 
 }  // namespace
 
