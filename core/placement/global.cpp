@@ -67,7 +67,8 @@ class GlobalStrategy {
     test_regions();
     Placement placement = zones_.result();
     describe(placement, rule_.claims);
-    placement.insertions = std::move(insertions_);
+    // Evidence belongs to a claim.
+    if (std::find(rule_.claims.begin(), rule_.claims.end(), "L8") != rule_.claims.end()) placement.insertions = std::move(insertions_);
     return placement;
   }
 

@@ -108,7 +108,8 @@ struct Pencil {
   double gap = 0;  // (lower - upper) |n| / R
 };
 
-Pencil pencil_of(const BufferZones& zones, const PointIndex& index, const CellView& cell) {
+// feet: by the points m of the cell's vertex only, which the paper speaks of.
+Pencil pencil_of(const BufferZones& zones, const PointIndex& index, const CellView& cell, bool feet) {
   const Difference normal = certificate_normal(zones.complex(), zones.complex().facets[cell.facet]);
   const Double3 unit = unit_vector(normal.vector);
   Double3 offset;
@@ -117,7 +118,7 @@ Pencil pencil_of(const BufferZones& zones, const PointIndex& index, const CellVi
   Pencil pencil;
   double lower = -1e300, upper = 1e300;
   index.visit_ball(ball.centre, 4 * ball.radius, [&](int id) {
-    if (cell.has(id)) return false;
+    if (cell.has(id) || (feet && !is_foot_at(zones, id, cell.vertex))) return false;
     const Double3 x = approximate_difference(zones.point(id), cell.a());
     const double height = dot(unit, x);
     if (std::abs(height) < 1e-9 * length(x) && orientation(cell.a(), cell.b(), cell.c(), zones.point(id)) == 0) return false;
@@ -193,16 +194,18 @@ std::vector<EncroachedCell> find_encroached(const BufferZones& zones, const Poin
 std::optional<Witness> strongest_witness(const BufferZones& zones, const PointIndex& index, const std::vector<EncroachedCell>& cells) {
   const int scale = zones.complex().scale;
   std::optional<Witness> best;
-  double widest = 0;
-  for (const EncroachedCell& encroached : cells) {
-    const Pencil pencil = pencil_of(zones, index, CellView(zones, encroached.cell));
-    if (pencil.gap <= widest || pencil.lower_value <= pencil.upper_value) continue;
-    widest = pencil.gap;
-    // t n is a length: in the input's coordinates n grows by 4^scale and lengths by 2^scale.
-    best = Witness{"L18", {encroached.cell}, {pencil.lower, pencil.upper},
-                   {times_power_of_two(pencil.lower_value, -scale), times_power_of_two(pencil.upper_value, -scale)}};
+  for (const bool feet : {true, false}) {
+    double widest = 0;
+    for (const EncroachedCell& encroached : cells) {
+      const Pencil pencil = pencil_of(zones, index, CellView(zones, encroached.cell), feet);
+      if (pencil.gap <= widest || pencil.lower_value <= pencil.upper_value) continue;
+      widest = pencil.gap;
+      // t n is a length: in the input's coordinates n grows by 4^scale and lengths by 2^scale.
+      best = Witness{"L18", {encroached.cell}, {pencil.lower, pencil.upper},
+                     {times_power_of_two(pencil.lower_value, -scale), times_power_of_two(pencil.upper_value, -scale)}};
+    }
+    if (best) return best;
   }
-  if (best) return best;
   double deepest = 0;
   for (const char* statement : {"L10", "L9", "L11", "L13"}) {
     for (const EncroachedCell& encroached : cells) {

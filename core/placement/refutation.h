@@ -31,7 +31,8 @@ struct EncroachedCell {
 /// All T and S cells, and with `rectangles` R cells too. Throws LimitReached when progress asks to stop.
 std::vector<EncroachedCell> find_encroached(const BufferZones& zones, const PointIndex& index, bool rectangles, Progress& progress);
 
-/// The strongest refutation: that no sphere through a cell is empty (L18), of all cells the one with the widest gap; else a point in a
+/// The strongest refutation: that no sphere through a cell is empty (L18), of all cells the one with the widest gap, by points m
+/// if these suffice; else a point in a
 /// diametral sphere, L10 before L9, L11 and L13, the deepest. None if there are only ties, or points that no statement is about.
 std::optional<Witness> strongest_witness(const BufferZones& zones, const PointIndex& index, const std::vector<EncroachedCell>& cells);
 
