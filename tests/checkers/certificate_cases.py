@@ -2,6 +2,7 @@
 """The cases of make_certificates.py: accepted, rejected and declined ones here, malformed ones in malformed_cases.py."""
 from fractions import Fraction as Q
 
+from claim_cases import write_claims
 from malformed_cases import write_malformed
 
 
@@ -12,6 +13,7 @@ def write_all(m):
     write_rejected_rows(m)
     write_declined(m)
     write_malformed(m)
+    write_claims(m)
 
 
 def write_accepted(m):

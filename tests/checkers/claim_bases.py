@@ -47,36 +47,51 @@ def insert(points, triangles, number, p):
             triangles[(a, b, number)] = circle(points[a], points[b], p)
 
 
-class Square:
-    """A square facet of side 3 with r = 1: points as (kind, carrier name, place), cells as (corners, kind)."""
+class Edge:
+    """An edge of the square: offset d of its protector, distances of the first and last row point from the corners, number of intervals."""
 
-    def __init__(self, count=3, side=3, h=H, arc=(MIDDLE,), denominator=256):
+    def __init__(self, d=BETA[1], start=BETA[0], stop=BETA[0], count=3):
+        self.d, self.start, self.stop, self.count = d, start, stop, count
+
+
+class Square:
+    """A protected square facet: points as (kind, edge or None, place), cells as (corners, kind). Numbers below 4 are its corners.
+
+    arcs: for each corner the points of its arc, in the frame of the edge that leaves it. interior: points that are there before Chew's refinement to R <= h (None: no refinement)."""
+
+    def __init__(self, side=3, h=H, edges=None, arcs=None, interior=(), denominator=256):
         self.corners = [(Q(0), Q(0)), (Q(side), Q(0)), (Q(side), Q(side)), (Q(0), Q(side))]
         self.points, self.cells, self.boxes, self.rows, self.insertions = [], [], [], [], []
-        cosine, sine = BETA
-        length = side - 2 * cosine
+        edges, arcs = edges or [Edge()] * 4, arcs or [[MIDDLE]] * 4
         frames = [((1, 0), (0, 1)), ((0, 1), (-1, 0)), ((-1, 0), (0, -1)), ((0, -1), (1, 0))]
         rims = []
         for i, (along, inward) in enumerate(frames):
             place = lambda u, w: tuple(self.corners[i][k] + u * along[k] + w * inward[k] for k in (0, 1))
-            row = [self.add("projection" if k in (0, count) else "edge", i, place(cosine + length * k / count, 0)) for k in range(count + 1)]
-            shield = [self.add("offset", None, place(cosine + length * k / count, sine)) for k in range(count + 1)]
-            rim = [self.add("arc", None, place(u, w)) for u, w in arc]
+            e, row, shield = edges[i], [], []
+            for k in range(e.count + 1):
+                u = e.start + (side - e.start - e.stop) * Q(k, e.count)
+                row.append(self.add("projection" if k in (0, e.count) else "edge", i, place(u, 0)))
+                shield.append(self.add("offset", None, place(u, e.d)))
+            rims.append([self.add("arc", None, place(u, w)) for u, w in arcs[i]])
             self.rows.append((i, row, shield))
-            rims.append(rim)
-        outline = []
+        self.outline = []
         for i in range(4):
             row, shield = self.rows[i][1:]
             last_row, last_shield = self.rows[i - 1][1:]
-            ring = [shield[0]] + rims[i] + [last_shield[-1]]
+            end = last_shield[-1]
+            if self.place(end) == self.place(shield[0]):  # protectors that meet: no spoke triangle
+                self.points[end - 4] = None
+                last_shield[-1] = end = shield[0]
+            ring = [shield[0]] + rims[i] + ([end] if end != shield[0] else [])
             self.cells.append(((i, row[0], shield[0]), "T"))
             self.cells += [((i, p, q), "S") for p, q in zip(ring, ring[1:])]
-            self.cells.append(((i, last_shield[-1], last_row[-1]), "T"))
-            self.boxes += [(row[k], row[k + 1], shield[k + 1], shield[k]) for k in range(count)]
-            outline += list(reversed(ring[1:])) + shield[:-1]
-        # counter-clockwise: the fan's rim from the last protector to the first, then the protector
-        self.outline = outline
-        self.refine(h, denominator)
+            self.cells.append(((i, end, last_row[-1]), "T"))
+            self.outline += list(reversed(ring[1:])) + shield[:-1]
+        for i, row, shield in self.rows:
+            self.boxes += [(row[k], row[k + 1], shield[k + 1], shield[k]) for k in range(len(row) - 1)]
+        for p in interior:
+            self.add("interior", None, p)
+        self.refine(h, denominator, [len(self.points) + 4 - len(interior) + k for k in range(len(interior))])
 
     def add(self, kind, carrier, place):
         self.points.append((kind, carrier, place))
@@ -85,33 +100,119 @@ class Square:
     def place(self, p):
         return self.corners[p] if p < 4 else self.points[p - 4][2]
 
-    def refine(self, h, denominator):
+    def refine(self, h, denominator, interior):
         """Chew's refinement of the polygon of the outline."""
-        numbers = list(self.outline)
-        points = [self.place(p) for p in numbers]
-        triangles = triangulate(points)
-        places = dict(enumerate(points))
-        places.update({-1: (-1000, -1000), -2: (1000, -1000), -3: (0, 1000)})
-        full = dict(triangles)
-        ring = len(self.outline)
+        numbers = self.outline + interior
+        points = [self.place(p) for p in self.outline]
+        ring = len(points)
+        triangles = triangulate(points + [self.place(p) for p in interior])
+        places = dict(enumerate(points + [self.place(p) for p in interior]))
+        kept = {}
 
         def inside(t):
-            middle = tuple(sum(places[i][k] for i in t) / 3 for k in (0, 1))
-            count = 0
-            for a, b in zip(points[:ring], points[1:ring] + points[:1]):
-                if (a[1] > middle[1]) != (b[1] > middle[1]):
-                    count += (b[0] - a[0]) * (middle[1] - a[1]) / (b[1] - a[1]) + a[0] > middle[0]
-            return count % 2 == 1
+            if t not in kept:
+                middle = tuple(sum(places[i][k] for i in t) / 3 for k in (0, 1))
+                kept[t] = sum((a[1] > middle[1]) != (b[1] > middle[1]) and (b[0] - a[0]) * (middle[1] - a[1]) / (b[1] - a[1]) + a[0] > middle[0]
+                              for a, b in zip(points, points[1:] + points[:1])) % 2 == 1
+            return kept[t]
 
-        while True:
-            large = [(r2, t) for t, (z, r2) in sorted(full.items()) if r2 > h * h and inside(t)]
+        while h is not None:
+            large = [(r2, t) for t, (z, r2) in sorted(triangles.items()) if r2 > h * h and inside(t)]
             if not large:
                 break
             r2, t = max(large)
-            z = full[t][0]
+            z = triangles[t][0]
             p = tuple(Q(round(x * denominator), denominator) for x in z)
             assert 4096 * dot(sub(p, z), sub(p, z)) <= h * h
             self.insertions.append((tuple(numbers[i] for i in t), self.add("interior", None, p)))
             numbers.append(self.insertions[-1][1])
-            insert(places, full, len(numbers) - 1, p)
-        self.cells += [(tuple(numbers[i] for i in t), "C") for t in sorted(full) if inside(t)]
+            insert(places, triangles, len(numbers) - 1, p)
+        self.cells += [(tuple(numbers[i] for i in t), "C") for t in sorted(triangles) if inside(t)]
+
+
+def flat(p):
+    return (p[0], p[1], Q(0))
+
+
+def tilted(cosine, sine):
+    """The plane through the first edge that makes this angle with the plane of `flat`."""
+    return lambda p: (p[0], p[1] * cosine, p[1] * sine)
+
+
+class Assembly:
+    """Faces (a Square, and where it lies) with common vertices and row points, as the parts of a certificate; numbers as in the text."""
+
+    def __init__(self, m, faces, vertices=(), hanging=(), dim=3):
+        self.faces, self.dim = faces, dim
+        self.vertices = []
+        for square, embed in faces:
+            self.vertices += [v for v in map(embed, square.corners) if v not in self.vertices]
+        self.vertices += [v for v in vertices if v not in self.vertices]
+        loops = [[self.vertices.index(v) for v in map(embed, square.corners)] for square, embed in faces]
+        ends = [tuple(sorted((self.vertices.index(a), self.vertices.index(b)))) for a, b in hanging]
+        self.segments = m.undirected([e for ring in loops for e in m.loop(ring)] + ends)
+        self.facets = [dict(corners=ring[:3], boundary=m.loop(ring)) for ring in loops]
+        self.points, self.number, self.rows = [], [], {}
+        for f, (square, embed) in enumerate(faces):
+            number = {i: loops[f][i] for i in range(4)}
+            for i, point in enumerate(square.points, 4):
+                if point is None:
+                    continue
+                kind, edge, place = point
+                carrier = f if edge is None else self.segments.index(tuple(sorted((loops[f][edge], loops[f][(edge + 1) % 4]))))
+                entry = ("%s %d" % (kind, carrier), embed(place))
+                if entry not in self.points:
+                    self.points.append(entry)
+                number[i] = len(self.vertices) + self.points.index(entry)
+            self.number.append(number)
+        self.cells = []
+        for f, (square, embed) in enumerate(faces):
+            number = self.number[f]
+            self.cells += [(f, tuple(number[p] for p in t), kind) for t, kind in square.cells]
+            for edge, row, shield in square.rows:
+                a, b = loops[f][edge], loops[f][(edge + 1) % 4]
+                s = self.segments.index((min(a, b), max(a, b)))
+                row, shield = [number[p] for p in row], [number[p] for p in shield]
+                self.rows[(s, -1)] = ("%d %d" % (s, len(row)), row if a < b else row[::-1])
+                self.rows[(s, f)] = ("%d %d %d %s" % (s, len(row), f, "+" if a < b else "-"), shield if a < b else shield[::-1])
+        self.boxes = [(f, tuple(self.number[f][p] for p in box)) for f, (square, _) in enumerate(faces) for box in square.boxes]
+        self.hanging = [(self.segments.index(e),) + e for e in sorted(ends)]
+
+    def counts(self):
+        of = lambda *kinds: sum(kind in kinds for _, _, kind in self.cells)
+        kinds = [carrier.split()[0] for carrier, _ in self.points]
+        rim = kinds.count("offset") + kinds.count("arc")
+        total, outline = len(self.cells) + 2 * len(self.boxes), sum(len(square.outline) for square, _ in self.faces)
+        shields = {}
+        for s, f in self.rows:
+            if f >= 0:
+                shields[s] = shields.get(s, 0) + 1
+        pairs = sum(k * (k - 1) // 2 for k in shields.values())
+        triples = 0
+        for ring in self.facets:
+            edges = [tuple(sorted(e)) for e in ring["boundary"]]
+            corners = {v for e in edges for v in e}
+            triples += sum(v in corners for s in self.segments if s not in edges for v in s)
+        return {"H-angle": 2 * len(self.segments), "H-ball": of("T", "S"), "H-offset": of("T"), "H-chord": 1, "L1": of("S"), "L2": len(self.boxes), "L3": of("S"),
+                "L4": len(self.boxes), "L5": of("T") // 2, "L6": rim, "L7": of("T"), "L8": kinds.count("interior"), "L9": of("T"), "L10": of("S"), "L11": of("S"), "L12": 2 * pairs,
+                "L13": 2 * len(self.boxes), "L14": pairs, "L15": triples if self.dim == 3 else 0, "L16": of("C"), "L17": outline, "L18": total, "L18b": total, "L19": len(self.facets),
+                "L20": total, "L21": len(self.vertices) + len(self.segments), "L22": len(self.hanging), "L23": outline}
+
+    def certificate(self, m, claims, parameters=()):
+        c = m.Certificate(self.dim, self.vertices, self.segments, self.facets, points=self.points, hanging=self.hanging)
+        c.cells = ["%d %d %d %d %s" % ((f,) + t + (kind,)) for f, t, kind in self.cells]
+        for number, (f, (a, b, d, e)) in enumerate(self.boxes):
+            c.cells += ["%d %d %d %d R %d" % (f, a, b, d, number), "%d %d %d %d R %d" % (f, a, d, e, number)]
+        c.rows = [self.rows[key] for key in sorted(self.rows)]
+        counts = self.counts()
+        c.claims += ["claim %s %d" % (name, counts[name]) for name in counts if name in claims]
+        c.parameters = list(parameters)
+        if "L8" in claims:
+            c.evidence = ["c %d %d %d %d %d" % ((f,) + t + (p,)) for f, t, p in self.all_insertions()]
+        return c
+
+    def all_insertions(self):
+        return [(f, tuple(self.number[f][p] for p in t), self.number[f][p]) for f, (square, _) in enumerate(self.faces) for t, p in square.insertions]
+
+    def place(self, p):
+        return self.vertices[p] if p < len(self.vertices) else self.points[p - len(self.vertices)][1]
