@@ -22,6 +22,12 @@ bool crossing(const Certificate& c, const Shapes& shapes, const Refutation& r) {
            r.value == power(c, c.cells[r.cell], shapes.foot(r.second));
 }
 
+// The hypotheses speak of vertices and of the corners of T and S cells: only such points refute anything.
+bool bound(const Certificate& c, std::uint32_t x) {
+    return x < c.vertexCount ||
+           std::any_of(c.cells.begin(), c.cells.end(), [x](const Cell& cell) { return (cell.kind == 'T' || cell.kind == 'S') && isCorner(cell, x); });
+}
+
 // L10: m is the foot of a T cell with the same vertex.
 bool isFoot(const Certificate& c, const Shapes& shapes, std::uint32_t v, std::uint32_t m) {
     for (std::size_t t = 0; t < c.cells.size(); ++t)
@@ -33,7 +39,7 @@ bool isFoot(const Certificate& c, const Shapes& shapes, std::uint32_t v, std::ui
 bool pointInSphere(const Certificate& c, const Shapes& shapes, const Refutation& r) {
     const Cell& cell = c.cells[r.cell];
     const std::uint32_t x = r.second;
-    if (isCorner(cell, x)) return false;
+    if (isCorner(cell, x) || !bound(c, x)) return false;
     const auto isRim = [&] {
         if (x < c.vertexCount) return false;
         const PointKind kind = c.steiner[x - c.vertexCount].kind;
@@ -56,6 +62,7 @@ bool pointInSphere(const Certificate& c, const Shapes& shapes, const Refutation&
 // L18: two points that no sphere through the corners can leave out together.
 bool noSphere(const Certificate& c, const Refutation& r) {
     const Cell& cell = c.cells[r.cell];
+    if (cell.kind == 'C' || !bound(c, r.second) || !bound(c, r.point)) return false;
     const std::uint32_t* corner = c.facets[cell.facet].corner;
     const Place origin = place(c, corner[0]), n = cross(place(c, corner[1]) - origin, place(c, corner[2]) - origin);
     const Place a = place(c, cell.corner[0]);

@@ -4,6 +4,7 @@ from fractions import Fraction as Q
 
 from claim_cases import write_claims
 from malformed_cases import write_malformed
+from refutation_cases import write_refutations
 
 
 def write_all(m):
@@ -14,6 +15,7 @@ def write_all(m):
     write_declined(m)
     write_malformed(m)
     write_claims(m)
+    write_refutations(m)
 
 
 def write_accepted(m):

@@ -3,6 +3,7 @@
 from fractions import Fraction as Q
 
 from claim_bases import BETA, C, H, K, MIDDLE, Assembly, Edge, Square, circle, dot, flat, sub, tilted
+from malformed_cases import write_malformed_claims
 
 TINY = Q(1, 2 ** 80)
 
@@ -85,6 +86,7 @@ def write_claims(m):
     write_features(k)
     write_rules(k)
     write_misfits(k)
+    write_malformed_claims(m, k.flat2, k.all)
 
 
 def write_sizes(k):

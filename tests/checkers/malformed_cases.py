@@ -199,3 +199,76 @@ def write_malformed(m):
         m.malformed("truncated-" + name, text[:size], "E-TRUNCATED", text[:size].count("\n") + 1, "cut after %d bytes" % size)
     m.malformed("huge-count", text.replace("vertices 5", "vertices 2147483647"), "E-COUNT", "segments 4", "a count that would need 100 GB if it were believed")
     m.malformed("huge-cells", text.replace("cells 3", "cells 2147483647"), "E-COUNT", "rows 0", "the same for cells")
+
+
+def write_malformed_claims(m, base, everything):
+    """One change each to a certificate with claims; base: an Assembly, everything: the parameters of all claims."""
+    def case(name, code, line, reason, change, claims=("L1", "L8"), parameters=everything):
+        c = base.certificate(m, claims, parameters)
+        change(c)
+        m.malformed("claims-" + name, c.text(), code, line, reason)
+
+    def put(part, place, line):
+        return lambda c: getattr(c, part).__setitem__(place, line)
+
+    def more(part, *lines):
+        return lambda c: getattr(c, part).extend(lines)
+    # the records of claims
+    l1, l8 = base.certificate(m, ["L1", "L8"]).claims[1:]
+    case("order", "E-ORDER", l1, "claims out of order", lambda c: c.claims.__setitem__(slice(1, 3), [l8, l1]))
+    case("twice", "E-ORDER", (l8, 2), "a claim twice", more("claims", l8))
+    case("conforms-twice", "E-ORDER", ("claim conforms", 2), "`conforms` twice", more("claims", "claim conforms"))
+    case("conforms-missing", "E-ORDER", l1, "claims without `conforms`", lambda c: c.claims.pop(0))
+    case("refutes", "E-ORDER", "refutes L9", "a refutation after `conforms`", more("claims", "refutes L9"))
+    case("unknown", "E-SYNTAX", "claim L0a 1", "a lemma without a claim", more("claims", "claim L0a 1"))
+    case("case", "E-SYNTAX", "claim l9 1", "a lemma in lower case", more("claims", "claim l9 1"))
+    case("without-count", "E-SYNTAX", "claim L9", "a claim without its count", more("claims", "claim L9"))
+    case("field", "E-SYNTAX", "claim L9 8 8", "a claim with a field too many", more("claims", "claim L9 8 8"))
+    case("count-zero", "E-SYNTAX", "claim L9 08", "a count with a leading zero", more("claims", "claim L9 08"))
+    text = base.certificate(m, ["L1", "L8"], everything).text()
+    m.malformed("claims-more", text.replace("claims 3", "claims 2"), "E-COUNT", l8, "more claims than announced")
+    m.malformed("claims-less", text.replace("claims 3", "claims 4"), "E-COUNT", "notes 0", "fewer claims than announced")
+    # the parameters
+    names = [line.split()[0] for line in everything]
+    h, factor = names.index("h"), names.index("angle")
+    for name, line in (("zero", "h 0/1"), ("negative", "h -1/3"), ("terms", "h 2/6"), ("denominator", "h 1/0")):
+        case("h-" + name, "E-VALUE", line, "a spacing of " + line[2:], put("parameters", h, line))
+    for name, line in (("integer", "h 1"), ("missing", "h"), ("more", "h 1/3 1"), ("decimal", "h 0.3")):
+        case("h-" + name, "E-SYNTAX", line, "no rational", put("parameters", h, line))
+    for name, line in (("zero", "angle 0 1/2"), ("large", "angle 65 1/2"), ("one", "angle 2 1/1"), ("beyond", "angle 2 3/2"), ("right", "angle 2 0/1"), ("obtuse", "angle 2 -1/2")):
+        case("angle-" + name, "E-VALUE", line, "an angle out of range", put("parameters", factor, line))
+    case("beta-zero", "E-VALUE", "beta 0", "a factor of zero", put("parameters", names.index("beta"), "beta 0"))
+    case("chord-rational", "E-SYNTAX", "chord 1/2", "a factor that is no index", put("parameters", names.index("chord"), "chord 1/2"))
+    case("parameter-unknown", "E-SYNTAX", "delta 1/2", "an unknown parameter", put("parameters", 0, "delta 1/2"))
+    case("parameter-order", "E-ORDER", everything[0], "parameters out of order", lambda c: c.parameters.__setitem__(slice(0, 2), everything[1::-1]))
+    case("parameter-twice", "E-ORDER", ("r 1/1", 2), "a parameter twice", lambda c: c.parameters.insert(0, "r 1/1"))
+    case("r-max-twice", "E-ORDER", (everything[-1], 2), "a parameter twice", more("parameters", everything[-1]))
+    case("beta-offset", "E-ORDER", "offset 1", "beta and offset", lambda c: c.parameters.insert(names.index("beta") + 1, "offset 1"))
+    case("ball-global", "E-ORDER", "ball 0 1/1", "a ball besides r", more("parameters", "ball 0 1/1"))
+    case("row-global", "E-ORDER", "row 0 1/1 1/2 1/2 1/2 1/2", "a row besides r", more("parameters", "row 0 1/1 1/2 1/2 1/2 1/2"))
+    m.malformed("claims-parameters-less", text.replace("parameters %d" % len(everything), "parameters %d" % (len(everything) + 1)), "E-COUNT", "points 45", "fewer parameters than announced")
+    m.malformed("claims-parameters-more", text.replace("parameters %d" % len(everything), "parameters %d" % (len(everything) - 1)), "E-COUNT", everything[-1], "more parameters than announced")
+
+    def local(name, code, lines, reason):
+        case("local-" + name, code, lines[-1], reason, lambda c: None, parameters=lines)
+    local("vertex", "E-RANGE", ["ball 4 1/1"], "a ball of a vertex that does not exist")
+    local("order", "E-ORDER", ["ball 1 1/1", "ball 0 1/1"], "balls out of order")
+    local("zero", "E-VALUE", ["ball 1 0/1"], "a ball of radius zero")
+    local("segment", "E-RANGE", ["row 4 1/1 1/2 1/2 1/2 1/2"], "a row of a segment that does not exist")
+    local("row-order", "E-ORDER", ["row 1 1/2 1/2 1/2 1/2 1/2", "row 1 1/1 1/2 1/2 1/2 1/2"], "a row twice")
+    local("row-ball", "E-ORDER", ["row 1 1/1 1/2 1/2 1/2 1/2", "ball 1 1/1"], "a ball after a row")
+    local("row-one", "E-VALUE", ["row 1 1/1 1/2 1/2 1/1 1/2"], "a cosine of one")
+    local("row-short", "E-SYNTAX", ["row 1 1/1 1/2 1/2 1/2"], "a row without its last cosine")
+    local("row-long", "E-SYNTAX", ["row 1 1/1 1/2 1/2 1/2 1/2 1/2"], "a row with a cosine too many")
+    # the evidence
+    evidence = base.certificate(m, ["L8"]).evidence
+    case("evidence-unclaimed", "E-SYNTAX", evidence[0], "evidence for a claim that is not made", lambda c: c.evidence.append(evidence[0]), claims=("L1",))
+    case("evidence-refutation", "E-SYNTAX", "x 0 1 1/2", "evidence of a refutation", put("evidence", 0, "x 0 1 1/2"))
+    words = evidence[0].split()
+    for place, name in ((1, "facet"), (2, "point"), (5, "inserted")):
+        line = " ".join(words[:place] + ["77"] + words[place + 1:])
+        case("evidence-" + name, "E-RANGE", line, "evidence with a number that does not exist", put("evidence", 0, line))
+    for line, name in ((" ".join(words[:5]), "short"), (evidence[0] + " 1", "long")):
+        case("evidence-" + name, "E-SYNTAX", line, "evidence with another number of fields", put("evidence", 0, line))
+    m.malformed("claims-evidence-less", text.replace("evidence %d" % len(evidence), "evidence %d" % (len(evidence) + 1)), "E-COUNT", text.split("\n")[-2], "less evidence than announced")
+    m.malformed("claims-evidence-more", text.replace("evidence %d" % len(evidence), "evidence %d" % (len(evidence) - 1)), "E-COUNT", evidence[-1], "more evidence than announced")

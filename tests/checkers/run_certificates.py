@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CERTIFICATES = os.path.normpath(os.path.join(HERE, "..", "certificates"))
-FOLDERS = ("accept", "reject", "decline", "malformed")
+FOLDERS = ("accept", "refute", "reject", "decline", "malformed")
 failures = []
 
 
@@ -81,6 +81,9 @@ def check_manifest():
 
 def check_command_line(checker):
     worked = os.path.join(CERTIFICATES, "accept", "worked-example.cert")
+    crowded = os.path.join(CERTIFICATES, "reject", "claim-L1-short.cert")
+    refuted = os.path.join(CERTIFICATES, "refute", "L5.cert")
+    claims = os.path.join(CERTIFICATES, "accept", "claim-all-dim2.cert")
     with open(worked, "rb") as file:
         text = file.read()
     block = text[text.index(b"plc 1\n"):text.index(b"claims 1\n")]
@@ -103,6 +106,14 @@ def check_command_line(checker):
                 ((), 2, None), ((worked, worked), 2, None), ((worked, "--nonsense"), 2, None), ((worked, "--threads"), 2, None),
                 ((worked, "--threads", "0"), 2, None), ((worked, "--threads", "x"), 2, None), ((worked, "--memory-limit", "1X"), 2, None),
                 ((worked, "--time-limit", "-1"), 2, None),
+                ((worked, "--cells", "2-1"), 2, None), ((worked, "--cells", "1"), 2, None), ((worked, "--cells", "01-2"), 2, None), ((worked, "--cells", "-1-2"), 2, None),
+                ((worked, "--cells", ""), 2, None), ((worked, "--cells", "1-2x"), 2, None),
+                ((worked, "--cells", "0-0"), 3, "s UNDECIDED cells-0-0"), ((worked, "--cells", "0-99"), 3, "s UNDECIDED cells-0-99"),
+                ((worked, "--cells", "7-99"), 3, "s UNDECIDED cells-7-99"),
+                ((refuted, "--cells", "0-1"), 3, "s UNDECIDED cells-0-1"), ((claims, "--cells", "0-30"), 3, "s UNDECIDED cells-0-30"),
+                ((crowded, "--cells", "0-0"), 3, "s UNDECIDED cells-0-0"),
+                ((os.path.join(CERTIFICATES, "reject", "emptiness-off-plane-in.cert"), "--cells", "0-0"), 5, "s REJECTED emptiness 28 cell-0-point-3"),
+                ((os.path.join(CERTIFICATES, "reject", "emptiness-off-plane-in.cert"), "--cells", "1-1"), 3, "s UNDECIDED cells-1-1"),
                 (("--help",), 0, None), (("--version",), 0, None),
                 ((worked, "--time-limit", "1000", "--memory-limit", "64M"), 0, "s VERIFIED"),
                 ((worked, "--memory-limit", "200K"), 3, "s UNDECIDED memory-limit")]:
@@ -113,6 +124,16 @@ def check_command_line(checker):
         report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
         expect(report["smallest-relative-power"] == {"value": 2, "cell-line": 34, "point": 3}, "the smallest relative power of the worked example")
         expect(report["complex"] == {"sha256": "680b430c4cf762c7e9ef3d597ce3704f7f45f3f7269fa1723b5d7f076d1ad8e3", "compared": True}, "the digest of the complex")
+        report = {claim["id"]: claim for claim in json.loads(run(checker, claims, "--json")[1])["claims"]}
+        expect(len(report) == 28 and all(claim["failures"] == 0 for claim in report.values()), "all claims are reported")
+        expect(report["H-ball"]["slack"] is None and report["H-ball"]["objects"] == 16, "a claim without slack")
+        expect(report["H-chord"]["slack"] == 0 and report["L21"]["slack"] == 0 and report["L21"]["object"] == "vertex-1-vertex-0", "claims without room")
+        expect(report["L2"]["slack"] == 0.0908988 and report["L2"]["object"] == "box-0", "the slack of L2")
+        some = {claim["id"]: claim["objects"] for claim in json.loads(run(checker, claims, "--json", "--cells", "0-3")[1])["claims"]}
+        expect((some["H-ball"], some["L9"], some["L13"], some["L2"]) == (4, 2, 0, 12), "the objects of some cells")
+        failed = json.loads(run(checker, crowded, "--json")[1])
+        expect(failed["rule"] == "L1" and failed["claims"][0]["failures"] >= 1, "a claim that fails")
+        report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
         coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
         expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
         check_pipe(checker, folder)
