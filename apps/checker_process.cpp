@@ -59,7 +59,8 @@ void drain(const std::array<int, 2>& pipes, std::array<std::string, 2>& texts) {
 CheckerRun run_checker(const std::string& certificate, const std::string& complex_file, int threads, double time_limit,
                        std::size_t memory_limit) {
   const std::string program = checker_path();
-  std::vector<std::string> arguments{program, certificate, "--complex", complex_file, "--json", "--threads", std::to_string(threads)};
+  std::vector<std::string> arguments{program, certificate, "--json", "--threads", std::to_string(threads)};
+  if (!complex_file.empty()) arguments.insert(arguments.end(), {"--complex", complex_file});
   if (time_limit > 0) {
     arguments.push_back("--time-limit");
     arguments.push_back(std::to_string(time_limit));

@@ -12,7 +12,7 @@ struct CheckerRun {
   std::string verdict;  ///< its last line, `s ...`
 };
 
-/// Runs confidel-check (beside this program, or on PATH) with --json and further arguments. Throws FileError if it cannot be started.
+/// Runs confidel-check (beside this program, or on PATH) with --json and further arguments, without --complex if complex_file is empty. Throws FileError if it cannot be started.
 CheckerRun run_checker(const std::string& certificate, const std::string& complex_file, int threads, double time_limit,
                        std::size_t memory_limit);
 

@@ -20,6 +20,7 @@ int run_command_line(int argc, char** argv) {
   add_info(app, selection);
   add_canonical(app, selection);
   add_conform(app, selection);
+  add_draw(app, selection);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -1,0 +1,13 @@
+# embed_text(OUTPUT.cpp NAME FILE ...): a source with the texts as `extern const char* const NAME_suffix`, so that the program needs no files at run time.
+function(embed_text output)
+  set(body "// Made by apps/embed.cmake.\n#include \"apps/draw/embedded.h\"\n\nnamespace confidel {\n\n")
+  foreach(file ${ARGN})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    get_filename_component(name ${file} NAME)
+    string(REPLACE "." "_" name ${name})
+    file(READ ${file} text)
+    string(APPEND body "const std::string_view embedded_${name} = R\"CONFIDEL(${text})CONFIDEL\";\n\n")
+  endforeach()
+  string(APPEND body "}  // namespace confidel\n")
+  file(CONFIGURE OUTPUT ${output} CONTENT "@body@" @ONLY)
+endfunction()
