@@ -66,6 +66,11 @@ class Drawing {
           low_[axis] = std::min(low_[axis], position[axis]);
           high_[axis] = std::max(high_[axis], position[axis]);
         }
+      for (const Ball& ball : picture_.balls)
+        for (int axis = 0; axis < 2; ++axis) {
+          low_[axis] = std::min(low_[axis], picture_.positions[ball.vertex][axis] - ball.radius);
+          high_[axis] = std::max(high_[axis], picture_.positions[ball.vertex][axis] + ball.radius);
+        }
     }
     if (!(low_[0] <= high_[0])) low_ = high_ = {0, 0};
     const double longer = std::max(high_[0] - low_[0], high_[1] - low_[1]);
@@ -315,7 +320,9 @@ class Drawing {
     out += "<style>\n" + std::string(embedded_svg_css) + "</style>\n";
     out += fmt::format("<rect id=\"frame\" width=\"100%\" height=\"100%\"/>\n<svg id=\"plot\" x=\"0\" y=\"0\" width=\"{:.6g}\" height=\"{:.6g}\" viewBox=\"{:.6g} {:.6g} {:.6g} {:.6g}\">\n<g id=\"scene\">\n",
                        view_width, view_height, -margin, -(view_height - height_) / 2, view_width, view_height);
-    for (const Layer& layer : layers_) write_layer(layer);
+    // Without the panel nothing could switch on what is hidden.
+    for (const Layer& layer : layers_)
+      if (options_.panel || layer.shown) write_layer(layer);
     out += "</g>\n</svg>\n";
     if (options_.panel) {
       write_panel(view_width);

@@ -1,6 +1,9 @@
 // The viewer: camera, layers, colours, choosing, and what the panel says.
 const $ = (id) => document.getElementById(id);
-const number = (v, digits) => (Number.isFinite(v) ? String(Number(v.toPrecision(digits || 6))) : "none");
+const number = (v, digits) => {
+  if (!Number.isFinite(v)) return "none";
+  return v !== 0 && Math.abs(v) < 1e-3 ? v.toExponential((digits || 6) - 1).replace(/\.?0+e/, "e") : String(Number(v.toPrecision(digits || 6)));
+};
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 
@@ -138,7 +141,7 @@ function draw() {
   lines(gpu.pickedLines, dark.matches ? [1, 0.72, 0.9, 1] : [0.55, 0.1, 0.4, 1], 4, 8e-4);
   gl.depthMask(false);
   if (state.layers.rest && k < cellCount) {
-    use(programs.cells, { edge: [...ink, 0.13], fill: 0 });
+    use(programs.cells, { edge: [...ink, 0.22], fill: 0 });
     gl.bindVertexArray(gpu.cells);
     gl.drawArrays(gl.TRIANGLES, 3 * k, 3 * (cellCount - k));
   }

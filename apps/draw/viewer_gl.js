@@ -32,7 +32,7 @@ function makePrograms() {
         vec3 n = normalize(cross(dFdx(p), dFdy(p))); float light = 0.6 + 0.4 * abs(dot(n, normalize(eye - p)));
         vec3 w = fwidth(b); vec3 s = smoothstep(w * 0.3, w * 1.3, b); float line = 1.0 - min(s.x, min(s.y, s.z));
         line *= edge.a * (1.0 - smoothstep(0.12, 0.4, max(w.x, max(w.y, w.z))));
-        vec4 inner = vec4(c.rgb * light, fill); o = mix(inner, vec4(edge.rgb, max(fill, line)), line); if (o.a < 0.02) discard; }`),
+        o = vec4(mix(c.rgb * light, edge.rgb, fill > 0.0 ? line : 1.0), max(fill, line)); if (o.a < 0.01) discard; }`),
     lines: program(
       `layout(location=0) in vec3 from; layout(location=1) in vec3 to; uniform mat4 all; uniform vec2 screen; uniform float width, bias; out vec3 p;
       void main() { vec4 a = all * vec4(from, 1.0), z = all * vec4(to, 1.0); float near = 1e-6; vec3 f = from, t = to;
@@ -86,11 +86,11 @@ function pointArrays(list, colours) {
   return { count: list.length, sources, array: arrays([[0, sources[0], 3], [1, sources[1], 4, gl.UNSIGNED_BYTE, true]]) };
 }
 let sphereStrip = null;
-const sphereCount = 24 * 12 * 6;
+const sphereCount = 36 * 18 * 6;
 function ballArrays(balls) {
   if (!sphereStrip) {
-    const values = [], around = (i, k) => { const u = (2 * Math.PI * i) / 24, v = (Math.PI * k) / 12; return [Math.sin(v) * Math.cos(u), Math.sin(v) * Math.sin(u), Math.cos(v)]; };
-    for (let i = 0; i < 24; ++i) for (let k = 0; k < 12; ++k) for (const [x, y] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) values.push(...around(i + x, k + y));
+    const values = [], around = (i, k) => { const u = (2 * Math.PI * i) / 36, v = (Math.PI * k) / 18; return [Math.sin(v) * Math.cos(u), Math.sin(v) * Math.sin(u), Math.cos(v)]; };
+    for (let i = 0; i < 36; ++i) for (let k = 0; k < 18; ++k) for (const [x, y] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) values.push(...around(i + x, k + y));
     sphereStrip = buffer(new Float32Array(values));
   }
   const source = buffer(new Float32Array(balls));

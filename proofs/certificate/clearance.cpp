@@ -92,10 +92,12 @@ mpq_class relative_power(const Sphere& sphere, const HomogeneousPoint& point) {
 
 bool in_plane(const Sphere& sphere, const HomogeneousPoint& point) { return dot(offset(point, *sphere.corner).vector, sphere.normal) == 0; }
 
-/// A k-d tree over the doubles. A node knows if all its points are carried by one facet: they are in its plane.
+/// A k-d tree over the doubles. A node knows if all its points are carried by one facet, and in its plane.
 class Tree {
  public:
   Tree(const Certificate& certificate, const std::vector<Position>& positions) : certificate_(certificate), positions_(positions) {
+    homes_.assign(positions.size(), mixed);
+    for (std::size_t point = 0; point < positions.size(); ++point) homes_[point] = home(static_cast<int>(point));
     order_.resize(positions.size());
     std::iota(order_.begin(), order_.end(), 0);
     if (!order_.empty()) build(0, static_cast<int>(order_.size()));
@@ -130,9 +132,9 @@ class Tree {
     node.begin = begin;
     node.end = end;
     node.low = node.high = positions_[order_[begin]];
-    node.facet = carrier_facet(order_[begin]);
+    node.facet = homes_[order_[begin]];
     for (int i = begin; i < end; ++i) {
-      if (carrier_facet(order_[i]) != node.facet) node.facet = mixed;
+      if (homes_[order_[i]] != node.facet) node.facet = mixed;
       for (int axis = 0; axis < 3; ++axis) {
         node.low[axis] = std::min(node.low[axis], positions_[order_[i]][axis]);
         node.high[axis] = std::max(node.high[axis], positions_[order_[i]][axis]);
@@ -153,9 +155,14 @@ class Tree {
     return index;
   }
 
-  int carrier_facet(int point) const {
+  /// The facet that carries the point, if it is in its plane indeed.
+  int home(int point) const {
     const PointKind kind = certificate_.kinds[point];
-    return kind == PointKind::vertex || kind == PointKind::projection || kind == PointKind::edge ? mixed : certificate_.carriers[point];
+    if (kind == PointKind::vertex || kind == PointKind::projection || kind == PointKind::edge) return mixed;
+    const auto& frame = certificate_.facets[certificate_.carriers[point]].frame;
+    const HomogeneousPoint& origin = certificate_.points[frame[0]];
+    const IntegerVector normal = cross(offset(certificate_.points[frame[1]], origin).vector, offset(certificate_.points[frame[2]], origin).vector);
+    return dot(normal, offset(certificate_.points[point], origin).vector) == 0 ? certificate_.carriers[point] : mixed;
   }
 
   static double gap(const Node& node, const Position& centre) {
@@ -205,7 +212,7 @@ class Tree {
 
   const Certificate& certificate_;
   const std::vector<Position>& positions_;
-  std::vector<int> order_;
+  std::vector<int> order_, homes_;
   std::vector<Node> nodes_;
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/complex/input.h"
 #include "core/placement/placement.h"
 
 namespace confidel {

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The `console` blocks of README.md: every command runs, and says what the page says: console_blocks.py BIN [--update]
+"""The `console` blocks of README.md and docs/: every command runs, and says what the page says: console_blocks.py BIN [--update]
 
 Numbers may differ (placement improves, machines are fast or slow), words may not; the verdict's line is compared as it is.
 --update writes what the commands say now. A block that shows no output at all is run without comparing, and stays so.
 """
+import glob
 import os
 import re
 import subprocess
@@ -12,7 +13,7 @@ import sys
 import tempfile
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
-PAGE = os.path.join(ROOT, "README.md")
+PAGES = [os.path.join(ROOT, "README.md"), *sorted(glob.glob(os.path.join(ROOT, "docs", "*.md")))]
 BLOCK = re.compile(r"^```console\n(.*?)^```$", re.M | re.S)
 
 
@@ -22,14 +23,14 @@ def run(command, folder, path):
                           stderr=subprocess.STDOUT, text=True, timeout=120)
 
 
-def steps(block):
+def steps(block, name):
     """Pairs of a command and the lines shown below it."""
     result = []
     for line in block.splitlines():
         if line.startswith("$ "):
             result.append((line[2:], []))
         elif not result:
-            raise SystemExit("README.md: a console block begins without a command: " + line)
+            raise SystemExit(name + ": a console block begins without a command: " + line)
         else:
             result[-1][1].append(line)
     return result
@@ -42,39 +43,49 @@ def shape(line):
     return re.sub(r"\d[\d.,]*(e[-+]?\d+)?", "N", line)
 
 
-def compare(command, shown, said):
+def compare(name, command, shown, said):
     if [shape(line) for line in shown] != [shape(line) for line in said]:
-        return ["$ %s: the page shows\n%s\nbut it says\n%s" % (command, "\n".join(shown), "\n".join(said))]
+        return ["%s: $ %s: the page shows\n%s\nbut it says\n%s" % (name, command, "\n".join(shown), "\n".join(said))]
     return []
 
 
-def main():
-    arguments = [argument for argument in sys.argv[1:] if argument != "--update"]
-    if len(arguments) != 1:
-        raise SystemExit(__doc__)
-    path, update = os.path.abspath(arguments[0]), "--update" in sys.argv
-    page, failures, commands = open(PAGE).read(), [], 0
+def check(file, path, update):
+    """The number of commands in a page, and what is wrong with it. The blocks of a page share a folder."""
+    name = os.path.relpath(file, ROOT)
+    page, failures, commands = open(file).read(), [], 0
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(os.path.join(ROOT, "examples"), os.path.join(folder, "examples"))
 
         def renew(match):
             nonlocal commands
-            text, block = "", steps(match.group(1))
+            text, block = "", steps(match.group(1), name)
             with_output = any(shown for _, shown in block)
             for command, shown in block:
                 commands += 1
                 done = run(command, folder, path)
                 said = done.stdout.splitlines()
                 if done.returncode != 0:
-                    failures.append("$ %s: exit code %d\n%s" % (command, done.returncode, done.stdout))
+                    failures.append("%s: $ %s: exit code %d\n%s" % (name, command, done.returncode, done.stdout))
                 if with_output and not update:
-                    failures.extend(compare(command, shown, said))
+                    failures.extend(compare(name, command, shown, said))
                 text += "$ %s\n" % command + ("".join(line + "\n" for line in said) if with_output else "")
             return "```console\n%s```" % text
 
         renewed = BLOCK.sub(renew, page)
-    if update and not failures:
-        open(PAGE, "w").write(renewed)
+    if update and not failures and renewed != page:
+        open(file, "w").write(renewed)
+    return commands, failures
+
+
+def main():
+    arguments = [argument for argument in sys.argv[1:] if argument != "--update"]
+    if len(arguments) != 1:
+        raise SystemExit(__doc__)
+    path, update, commands, failures = os.path.abspath(arguments[0]), "--update" in sys.argv, 0, []
+    for file in PAGES:
+        more, wrong = check(file, path, update)
+        commands += more
+        failures += wrong
     for failure in failures:
         print("FAILED " + failure)
     print("%d commands, %d failures%s" % (commands, len(failures), "; python3 tests/docs/console_blocks.py BIN --update" if failures else ""))

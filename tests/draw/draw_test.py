@@ -156,10 +156,25 @@ def test_errors(programs, folder):
     programs.expect(last_line(out).endswith(".vtu"), "the last line names the picture")
 
 
+def test_figures(programs, folder):
+    """docs/figures/make.sh makes every picture that the pages show."""
+    figures = os.path.join(ROOT, "docs", "figures")
+    made = os.path.join(folder, "figures")
+    done = subprocess.run(["bash", os.path.join(figures, "make.sh"), os.path.dirname(programs.confidel), made], capture_output=True, text=True,
+                          env=dict(os.environ, CONFIDEL_NO_SCREENSHOT="1"))
+    if not programs.expect(done.returncode == 0, "make.sh: %r" % done.stderr[-500:]):
+        return
+    shown = {name for page in ("README.md", "../drawing.md") for name in re.findall(r"\]\((?:figures/)?([\w-]+\.svg)\)", content(os.path.join(figures, page)).decode())}
+    programs.expect(shown == set(os.listdir(made)) and len(shown) >= 9, "pages show %s, made are %s" % (sorted(shown), sorted(os.listdir(made))))
+    for name in sorted(shown):
+        programs.expect(os.path.exists(os.path.join(figures, name)), name + " is not in docs/figures")
+        programs.expect(any(layers_of(os.path.join(made, name)).values()), name + " is empty")
+
+
 def main():
     programs = Programs(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
-        for test in (test_svg, test_violation, test_vtu, test_errors):
+        for test in (test_svg, test_violation, test_vtu, test_errors, test_figures):
             test(programs, folder)
     programs.finish()
 
