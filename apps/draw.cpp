@@ -32,6 +32,9 @@ struct DrawOptions {
 
 struct Stopped {};
 
+// About 100 MB of page; browsers hold no string much longer.
+constexpr std::size_t most_cells_in_page = 2'000'000;
+
 void check(Picture& picture, const DrawOptions& options, Meter& meter) {
   if (options.no_check) {
     picture.verdict = "not checked";
@@ -70,6 +73,8 @@ int run_draw(const DrawOptions& options) {
   const Certificate& certificate = picture.certificate;
   if (suffix == ".svg" && certificate.dimension != 2)
     throw unusable(options.output, "an SVG shows dimension 2, and this certificate is of dimension 3: write .html or .vtu");
+  if (suffix == ".html" && certificate.cells.size() > most_cells_in_page)
+    throw InputError({{"E-TOO-LARGE", {options.file, 0, 0}, fmt::format("{} cells are too many for a page (at most {}); write .vtu for ParaView", certificate.cells.size(), most_cells_in_page)}});
   try {
     check(picture, options, meter);
     measure(picture, meter);

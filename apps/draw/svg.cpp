@@ -368,7 +368,7 @@ class Drawing {
     double top = 34;
     const std::size_t slash = certificate_.file.rfind('/');
     text(left, top, "title", slash == std::string::npos ? certificate_.file : certificate_.file.substr(slash + 1));
-    text(left, top += 20, "", picture_.verdict);
+    text(left, top += 20, "", picture_.check.is_null() ? picture_.verdict : "confidel-check: " + picture_.verdict);
     text(left, top += 18, "small", fmt::format("{} vertices, {} segments, {} Steiner points", certificate_.vertex_count, certificate_.segments.size(),
                                                certificate_.points.size() - certificate_.vertex_count));
     std::array<std::size_t, 4> kinds{};
