@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -40,6 +41,13 @@ void find_balls(Picture& picture) {
     if (vertex < 0 || point < 0) continue;
     int& tightest = on_ball.emplace(vertex, std::pair{point, -1}).first->second.second;
     tightest = picture.tighter(tightest, static_cast<int>(i));
+  }
+  // Saalfeld's circles have no cells of their own: their points on the segments are projections.
+  for (std::size_t p = certificate.vertex_count; p < certificate.points.size(); ++p) {
+    if (certificate.kinds[p] != PointKind::projection) continue;
+    const auto& ends = certificate.segments[certificate.carriers[p]];
+    const auto away = [&](int vertex) { return distance_square(certificate.points[vertex], certificate.points[p]); };
+    on_ball.emplace(away(ends[0]) <= away(ends[1]) ? ends[0] : ends[1], std::pair{static_cast<int>(p), -1});
   }
   for (const auto& [vertex, found] : on_ball) {
     const auto [point, tightest] = found;
