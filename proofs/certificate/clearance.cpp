@@ -92,6 +92,13 @@ mpq_class relative_power(const Sphere& sphere, const HomogeneousPoint& point) {
 
 bool in_plane(const Sphere& sphere, const HomogeneousPoint& point) { return dot(offset(point, *sphere.corner).vector, sphere.normal) == 0; }
 
+bool in_facet_plane(const Certificate& certificate, int facet, int point) {
+  const auto& frame = certificate.facets[facet].frame;
+  const HomogeneousPoint& origin = certificate.points[frame[0]];
+  const IntegerVector normal = cross(offset(certificate.points[frame[1]], origin).vector, offset(certificate.points[frame[2]], origin).vector);
+  return dot(normal, offset(certificate.points[point], origin).vector) == 0;
+}
+
 /// A k-d tree over the doubles. A node knows if all its points are carried by one facet, and in its plane.
 class Tree {
  public:
@@ -159,10 +166,7 @@ class Tree {
   int home(int point) const {
     const PointKind kind = certificate_.kinds[point];
     if (kind == PointKind::vertex || kind == PointKind::projection || kind == PointKind::edge) return mixed;
-    const auto& frame = certificate_.facets[certificate_.carriers[point]].frame;
-    const HomogeneousPoint& origin = certificate_.points[frame[0]];
-    const IntegerVector normal = cross(offset(certificate_.points[frame[1]], origin).vector, offset(certificate_.points[frame[2]], origin).vector);
-    return dot(normal, offset(certificate_.points[point], origin).vector) == 0 ? certificate_.carriers[point] : mixed;
+    return in_facet_plane(certificate_, certificate_.carriers[point], point) ? certificate_.carriers[point] : mixed;
   }
 
   static double gap(const Node& node, const Position& centre) {
@@ -243,8 +247,10 @@ class Measure {
     const auto is_corner = [&](int point) { return std::find(cell.corners.begin(), cell.corners.end(), point) != cell.corners.end(); };
     const bool tied_box = partner >= 0 && !is_corner(partner) && relative_power(sphere, certificate_.points[partner]) == 0;
     result.all = nearest(sphere, result, -1, [&](int point) { return !is_corner(point) && !(tied_box && point == partner); });
+    // What the facet carries is in the cell's plane only if the cell is in the facet's.
+    const bool in_facet = std::all_of(cell.corners.begin(), cell.corners.end(), [&](int corner) { return in_facet_plane(certificate_, cell.facet, corner); });
     if (certificate_.dimension == 3)
-      result.off_plane = nearest(sphere, result, cell.facet,
+      result.off_plane = nearest(sphere, result, in_facet ? cell.facet : -1,
                                  [&](int point) { return !is_corner(point) && !in_plane(sphere, certificate_.points[point]); });
     return result;
   }
