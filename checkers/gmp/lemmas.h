@@ -7,6 +7,7 @@
 #include "shapes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 // What was found about one claim, by several threads.
@@ -16,7 +17,7 @@ public:
     void failed(std::uint64_t line, const std::string& object);
     template <class Name>
     void slack(double value, std::uint64_t line, const Name& name) {
-        if (!(value <= best_.load(std::memory_order_relaxed))) return;
+        if (!std::isfinite(value) || value > best_.load(std::memory_order_relaxed)) return;
         keep(value, line, name());
     }
     double best() const { return best_.load(std::memory_order_relaxed); }
