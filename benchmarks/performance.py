@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Side by side in one run: Confidel and its peers, with ratios. Writes docs/performance.md.
+
+    ./run bench                   builds the peers, then this; minutes
+    ./run bench --quick           small inputs only
+"""
+import argparse
+import datetime
+import glob
+import json
+import math
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+
+
+def run(command, timeout):
+    try:
+        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=timeout)
+    except subprocess.TimeoutExpired:
+        return None
+
+
+def skew_wedge(path, degrees):
+    a = math.radians(degrees)
+    corners = [(0, 0, 0), (1, 0, 0), (0.5, math.sqrt(0.75), 0), (0.3, math.sqrt(0.75) * math.cos(a), math.sqrt(0.75) * math.sin(a))]
+    with open(path, "w") as file:
+        file.write("OFF\n4 2 0\n" + "".join("%r %r %r\n" % corner for corner in corners) + "3 0 1 2\n3 0 1 3\n")
+
+
+def fitted_exponent(pairs):
+    pairs = [(math.log(x), math.log(y)) for x, y in pairs if x > 0 and y > 0]
+    if len(pairs) < 2:
+        return None
+    mx, my = sum(p[0] for p in pairs) / len(pairs), sum(p[1] for p in pairs) / len(pairs)
+    spread = sum((p[0] - mx) ** 2 for p in pairs)
+    return sum((p[0] - mx) * (p[1] - my) for p in pairs) / spread if spread > 0 else None
+
+
+def growth(binaries, folder, angles):
+    """Graded on skew wedges: one input, more and more points; and checking against CGAL's construction of the same points."""
+    yield "| angle | points | placing s | us per point | certificate bytes | checking s (1 thread) | CGAL doubles, building s | checking : placing | checking : building |"
+    yield "|---|---|---|---|---|---|---|---|---|"
+    placing, checking = [], []
+    for degrees in angles:
+        source, certificate = os.path.join(folder, "wedge.off"), os.path.join(folder, "wedge.cert")
+        skew_wedge(source, degrees)
+        done = run([os.path.join(binaries, "confidel"), "conform", source, "-o", certificate, "--strategy", "graded", "--json", "-j", "1", "--max-points", "0"], 1200)
+        if done is None or done.returncode != 0:
+            yield "| %g | - | | | | | | | |" % degrees
+            continue
+        report = json.loads(done.stdout)
+        points, place, check = report["vertices"] + report["steiner_points"], report["seconds"]["placement"], report["seconds"]["check"]
+        peer = run([os.path.join(binaries, "checking-peer"), certificate], 600)
+        build = float(peer.stdout.split()[1]) if peer is not None and peer.returncode == 0 else math.nan
+        placing.append((points, place))
+        checking.append((points, check))
+        yield "| %g | %d | %.3f | %.1f | %d | %.3f | %.4f | %.2f | %.1f |" % (
+            degrees, points, place, 1e6 * place / points, report["certificate"]["text_bytes"], check, build, check / place, check / build)
+    for name, pairs in (("placing", placing), ("checking", checking)):
+        exponent = fitted_exponent([pair for pair in pairs if pair[0] >= 200])
+        if exponent is not None:
+            yield ""
+            yield "Seconds of %s grow like points^%.2f (fitted above 200 points)." % (name, exponent)
+
+
+def planar(binaries, files):
+    lines, ratios = [], {}
+    for file in files:
+        done = run([os.path.join(binaries, "planar-peers"), file], 300)
+        if done is None:
+            lines.append("| %s | not within 300 s |" % os.path.basename(file))
+            continue
+        for line in done.stdout.splitlines():
+            if line.startswith("median ratio "):
+                name, value = line[len("median ratio "):].rsplit(": ", 1)
+                ratios.setdefault(name, []).append(float(value))
+            elif line.startswith("|") and (not lines or not line.startswith(("| input", "|---"))):
+                lines.append(line)
+    yield from lines
+    yield ""
+    for name, values in ratios.items():
+        values = sorted(v for v in values if math.isfinite(v))
+        if values:
+            yield "* median ratio, %s: %.3g (%d inputs)" % (name, (values[(len(values) - 1) // 2] + values[len(values) // 2]) / 2, len(values))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--binaries", default=os.path.join(ROOT, "build", "release", "bin"))
+    parser.add_argument("--data", default=os.path.join(ROOT, "..", "shared", "data", "2d"))
+    parser.add_argument("--output", default=os.path.join(ROOT, "docs", "performance.md"))
+    parser.add_argument("--quick", action="store_true")
+    arguments = parser.parse_args()
+    files = sorted(glob.glob(os.path.join(arguments.data, "*.poly")) + glob.glob(os.path.join(arguments.data, "*.edg")))
+    source = "`../shared/data/2d`"
+    if not files:
+        files, source = sorted(glob.glob(os.path.join(ROOT, "examples", "*.poly"))), "`examples` (shared/data/2d is not here)"
+        files = [file for file in files if "facet-parts" not in file]
+    if arguments.quick:
+        files = [file for file in files if os.path.getsize(file) < 20000]
+    angles = (40, 10, 5) if arguments.quick else (40, 20, 10, 5, 2.5, 1.25, 0.8, 0.5)
+    text = ["# Performance, side by side", "",
+            "Written by `./run bench%s` on %s: %s, %d processors, load %.1f at the beginning. Ratios matter, not seconds: peers run in the same minutes on the same machine."
+            % (" --quick" if arguments.quick else "", datetime.date.today().isoformat(), platform.processor() or platform.machine(), os.cpu_count(), os.getloadavg()[0]), "",
+            "## Growth, and the price of checking", "",
+            "Graded on the skew wedge (two triangles at one edge), smaller and smaller angles. \"Building\" is the time in which CGAL's inexact-constructions kernel builds the Delaunay tetrahedralization of the same points; it proves nothing about them.", ""]
+    with tempfile.TemporaryDirectory() as folder:
+        for line in growth(arguments.binaries, folder, angles):
+            text.append(line)
+            print(line, flush=True)
+    text += ["", "## Planar strategies and CGAL's conformers", "",
+             "Inputs: %s. Steiner points (seconds of placing). CGAL's `make_conforming_Delaunay_2` and `make_conforming_Gabriel_2` over its exact kernel and over doubles; only with the exact kernel do they conform on all inputs. "
+             "Lean splits a segment only where no empty disk supports it; graded protects everything, also edges that need nothing." % source, ""]
+    for line in planar(arguments.binaries, files):
+        text.append(line)
+        print(line, flush=True)
+    temporary = arguments.output + ".tmp"
+    with open(temporary, "w") as file:
+        file.write("\n".join(text) + "\n")
+    os.replace(temporary, arguments.output)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
