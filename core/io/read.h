@@ -14,4 +14,7 @@ namespace confidel {
 /// E-TRUNCATED, E-TRAILING, E-EMPTY), FileError if the file or its companion cannot be read.
 Input read_input(const std::string& path);
 
+/// The same for a text that is at hand; the name's suffix says the format.
+Input read_input_text(const std::string& name, const std::string& text);
+
 }  // namespace confidel
