@@ -11,7 +11,7 @@ const std::vector<PaperStatement>& paper_statements() {
   static const std::vector<PaperStatement> statements{
       {"1.3", "Lemma 1.2: a triangle is a face iff a sphere through its corners has no point inside", {}, {}, "points in general position", Experiment::empty_spheres},
       {"1.3", "Lemma 1.2, points on the sphere allowed", {}, {}, "true for closed spheres: no point off the plane may lie on it (L18)", Experiment::ties},
-      {"1.3", "hanging edges need no further consideration", {"L22"}, {}, "they are protected with the same r, beta and h, not left alone"},
+      {"1.3", "hanging edges can be treated by themselves, as Saalfeld does", {"L22"}, {}, "but not left alone (\"considered no further\"): they get the same r, beta and h"},
       {"2.1", "where R > h, the circumcentre is farther than h from all points and stays in the region", {"L8"}, {}, "read for the triangulation of all points of the facet"},
       {"2.2", "h <= r/2 (printed: h/2 <= r)", {}, {}, "", Experiment::radius},
       {"2.2", "chords of the protecting circle are in [h, sqrt3 h]", {"L1"}, {}, "even in [h, 3h/2], if h is a chord of phi'/2 with phi' <= phi, and not just any smaller number"},
