@@ -12,16 +12,21 @@ namespace {
 
 using Triangle = LeanState::Triangle;
 
-// Step 14: removes what is not needed, until nothing changes.
+// Step 14: removes what is not needed, until nothing changes. A point that was needed is asked about again only once a neighbour is gone.
 void clean_up(LeanState& state) {
   const int vertices = static_cast<int>(state.complex().vertices.size());
+  std::vector<char> open(state.point_count(), 1);
+  std::vector<int> neighbours;
   for (bool again = true; again;) {
     again = false;
     for (int id = state.point_count() - 1; id >= vertices; --id) {
-      if (!state.alive(id)) continue;
+      if (!state.alive(id) || (!open[id] && !state.flat())) continue;
       state.progress().at("removing points", vertices + state.steiner());
       if (state.progress().stop_requested(state.steiner())) return;  // what stands is complete
-      again |= state.try_remove(id);
+      open[id] = 0;
+      if (!state.try_remove(id, neighbours)) continue;
+      again = true;
+      for (int near : neighbours) open[near] = 1;
     }
   }
 }

@@ -157,7 +157,6 @@ void LeanProtection::clear_ball(VertexId v) {
 }
 
 void LeanProtection::activate_vertex(VertexId v) {
-  if (state_.flat()) throw LeanGivesUp("a planar input needs protection");
   if (sheets_.empty()) {
     build_sheets();
     build_sectors();
@@ -269,6 +268,16 @@ void LeanProtection::split_arc(int index, std::size_t i) {
   const int id = state_.put_in_facet(sector.facet, arc_point(sector, angle), PointKind::arc, sector.arc[i].point);
   note_sector(id, index);
   sector.arc.insert(sector.arc.begin() + static_cast<long>(i) + 1, {angle, id});
+  if (sector.full) return;
+  // An arc that became as short as the row of its segment would be wide: the row is needed too.
+  const double r = state_.sizes().radius[sector.vertex];
+  const auto too_short = [&](int side) {
+    const SegmentId s = sector.edges[side];
+    const std::size_t k = side == 0 ? 0 : sector.arc.size() - 2;
+    return !active_segment(s) && (sector.arc[k + 1].angle - sector.arc[k].angle) * r < state_.sizes().offset[s];
+  };
+  for (int side = 0; side < 2; ++side)
+    if (too_short(side)) activate_segment(sector.edges[side]);
 }
 
 void LeanProtection::split_row(SegmentId s, std::size_t i) {

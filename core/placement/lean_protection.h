@@ -22,7 +22,7 @@ class LeanProtection {
   long segments() const { return segments_; }
 
   /// Free points in the ball go; every segment at v gets its point m, every sector of a facet its arc of at most 60 degrees.
-  /// Pre: not active.
+  /// Pre: not active, the input is not flat.
   void activate_vertex(VertexId v);
   /// Protects both ends, then: the segment's free points and those of its facets close to it go; a row begins with one interval.
   /// Pre: not active.

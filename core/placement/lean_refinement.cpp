@@ -11,6 +11,8 @@ namespace {
 // Late, because protection costs points; but early once many points were placed in vain.
 constexpr double late = 128;
 constexpr double early = 2;
+// The budget of a neighbourhood: so often may refinement come nearer than r_v or d_e before protection begins.
+constexpr int patience = 64;
 // Insertions round their circumcentre by at most this part of the radius (theory.md section 5).
 constexpr double rounding = 1.0 / 64;
 
@@ -18,8 +20,12 @@ constexpr double rounding = 1.0 / 64;
 
 LeanRefinement::LeanRefinement(LeanState& state, LeanProtection& protection)
     : state_(state), protection_(protection), complex_(state.complex()) {
-  for (double r : state.sizes().radius) greatest_guard_ = std::max(greatest_guard_, 4 * r / early);
+  for (double r : state.sizes().radius) greatest_guard_ = std::max(greatest_guard_, 2 * r);
+  at_vertex_.assign(complex_.vertices.size(), 0);
+  at_segment_.assign(complex_.segments.size(), 0);
 }
+
+bool LeanRefinement::used_up(int& events) { return ++events > patience; }
 
 void LeanRefinement::run() {
   for (;;) {
@@ -28,16 +34,25 @@ void LeanRefinement::run() {
     for (FacetId f = 0; f < static_cast<FacetId>(complex_.facets.size()); ++f)
       for (const Triangle& t : state_.planar(f).triangles()) state_.examine(f, t);
     if (!state_.any_bad()) return;
+    const int before = state_.point_count();
+    bool hidden = false;
     while (state_.any_bad()) {
       const auto [f, t] = state_.next_bad();
       if (!state_.planar(f).has_triangle(t)) continue;
       const LeanState::State now = state_.test(f, t);
       if (now == LeanState::State::good) continue;
+      // In the plane, what is in the disk is hidden by a constraint, and the triangle at that constraint has it in its disk too:
+      // splitting segments suffices, and with shells it ends.
+      if (state_.flat() && now == LeanState::State::bad) {
+        hidden = true;
+        continue;
+      }
       repair(f, t, now);
       split_missing();
       // It may have survived: a segment was split far away.
       if (state_.planar(f).has_triangle(t)) state_.examine(f, t);
     }
+    if (hidden && state_.point_count() == before) throw LeanGivesUp("a triangle cannot be repaired");
   }
 }
 
@@ -67,14 +82,19 @@ void LeanRefinement::split(int a, int b, FacetId facet) {
   const double kappa = state_.hard() ? early : late;
   const bool at_first = a == first, at_second = b == second;
   const double piece = state_.distance(a, b);
-  for (const auto& [near, v] : {std::pair{at_first, first}, std::pair{at_second, second}})
-    if (near && piece < state_.sizes().radius[v] / kappa) {
-      protection_.activate_vertex(v);
+  if (!state_.flat()) {
+    for (const auto& [near, v] : {std::pair{at_first, first}, std::pair{at_second, second}}) {
+      const double r = state_.sizes().radius[v];
+      if (near && piece < r && (piece < r / kappa || used_up(at_vertex_[v]))) {
+        protection_.activate_vertex(v);
+        return state_.settle();
+      }
+    }
+    const double d = state_.sizes().offset[s];
+    if (piece < d && !protection_.active_segment(s) && (piece < d / kappa || used_up(at_segment_[s]))) {
+      protection_.activate_segment(s);
       return state_.settle();
     }
-  if (piece < state_.sizes().offset[s] / kappa && !protection_.active_segment(s)) {
-    protection_.activate_segment(s);
-    return state_.settle();
   }
   Dyadic t;
   if (at_first != at_second) {
@@ -139,13 +159,15 @@ void LeanRefinement::repair(FacetId f, const Triangle& t, LeanState::State state
   state_.settle();
 }
 
-// Steps 9 and 10: a circumcentre too close to a vertex or a segment that is not protected yet.
+// Steps 9 and 10: a circumcentre too close, or too often close, to a vertex or a segment that is not protected yet.
 bool LeanRefinement::protect_near(FacetId f, const Point& centre, double radius) {
-  if (radius > greatest_guard_) return false;
+  if (state_.flat() || radius > greatest_guard_) return false;
   const double kappa = state_.hard() ? early : late;
   const BufferSizes& sizes = state_.sizes();
   const auto near_vertex = [&](VertexId v) {
-    if (protection_.active_vertex(v) || length(approximate_difference(centre, complex_.vertices[v])) >= sizes.radius[v] / kappa) return false;
+    if (protection_.active_vertex(v)) return false;
+    const double away = length(approximate_difference(centre, complex_.vertices[v])), r = sizes.radius[v];
+    if (away >= r || (away >= r / kappa && !used_up(at_vertex_[v]))) return false;
     protection_.activate_vertex(v);
     state_.settle();
     return true;
@@ -155,20 +177,23 @@ bool LeanRefinement::protect_near(FacetId f, const Point& centre, double radius)
     if (near_vertex(v)) return true;
   for (const auto* edges : {&facet.boundary, &facet.constraints})
     for (const auto& [p, q] : *edges) {
-      if (near_vertex(p) || near_vertex(q)) return true;
+      if (near_vertex(p) || (edges == &facet.constraints && near_vertex(q))) return true;
       const SegmentId s = complex_.find_segment(p, q);
       if (protection_.active_segment(s)) continue;
       const auto [first, second] = complex_.segments[s];
       const Double3 along = approximate_difference(complex_.vertices[second], complex_.vertices[first]),
                     to = approximate_difference(centre, complex_.vertices[first]);
       const double whole = length(along), below = dot(along, to) / whole, near = sizes.offset[s] / kappa;
-      if (length(cross(along, to)) / whole >= near || below <= 0 || below >= whole) continue;
+      const double away = length(cross(along, to)) / whole;
+      if (away >= sizes.offset[s] || below <= 0 || below >= whole) continue;
+      const bool often = used_up(at_segment_[s]);
+      if (away >= near && !often) continue;
       // The piece below is split as long as it is long.
       const auto& stations = state_.chains()[s].stations;
       std::size_t i = 0;
       while (i + 2 < stations.size() && stations[i + 1].t.approximate() * whole < below) ++i;
       const int a = stations[i].point, b = stations[i + 1].point;
-      if (state_.distance(a, b) > 4 * near) {
+      if (!often && state_.distance(a, b) > 4 * near) {
         split(a, b, f);
       } else {
         protection_.activate_segment(s);

@@ -74,6 +74,8 @@ void LeanState::build() {
     for (const auto& [a, b] : facet.constraints) planar.add_constraint(a, b, false);
     planar.mark();
   }
+  for (std::size_t s = 0; s < chains_.size(); ++s)
+    if (chains_[s].hanging()) hanging_.push_back(static_cast<SegmentId>(s));
   flat_ = tetrahedra_.dimension() < 3;
 }
 
@@ -117,7 +119,11 @@ int LeanState::place(Point position, PointKind kind, int carrier, int near) {
   DelaunayTetrahedralization::Conflict conflict;
   if (!flat_) {
     conflict = tetrahedra_.conflict(point(id), near);
-    tetrahedra_.insert(id, point(id), near);
+    try {
+      tetrahedra_.insert(id, point(id), near);
+    } catch (const std::logic_error&) {
+      throw LeanGivesUp("a point would fall on another");  // of another facet or segment: sizes or roundings failed here
+    }
   }
   index_.insert(id, point(id).approximate());
   pending_.push_back({std::move(conflict), id});
@@ -180,36 +186,47 @@ void LeanState::take_out(int id) {
   --steiner_;
 }
 
-bool LeanState::try_remove(int id) {
+bool LeanState::try_remove(int id, std::vector<int>& neighbours) {
+  neighbours.clear();
+  if (!flat_) neighbours = tetrahedra_.neighbours(id);
   const bool on_chain = on_segment(id);
   int a = -1, b = -1;
   if (on_chain) {
-    const SegmentId s = information_[id].carrier;
-    const std::size_t i = station_of(s, id);
-    a = chains_[s].stations[i - 1].point;
-    b = chains_[s].stations[i + 1].point;
+    const auto& stations = chains_[information_[id].carrier].stations;
+    const std::size_t i = station_of(information_[id].carrier, id);
+    a = stations[i - 1].point;
+    b = stations[i + 1].point;
   }
-  std::vector<std::pair<FacetId, Triangle>> changed;
-  for (FacetId f : facets_of(id))
-    for (const Triangle& t : on_chain ? planar_[f].join(a, id, b) : planar_[f].remove(id)) changed.push_back({f, t});
-  if (!flat_) tetrahedra_.remove(id);
   alive_[id] = 0;
   bool fine = true;
-  if (on_chain) fine = chains_[information_[id].carrier].hanging() ? !hanging_encroached(a, b) : flat_ || tetrahedra_.is_edge(a, b);
-  for (std::size_t k = 0; k < changed.size() && fine; ++k) fine = test(changed[k].first, changed[k].second) == State::good;
+  std::vector<std::pair<FacetId, Triangle>> changed;
+  const std::vector<FacetId>& facets = facets_of(id);
+  std::size_t done = 0;
+  for (; done < facets.size() && fine; ++done)
+    for (const Triangle& t : on_chain ? planar_[facets[done]].join(a, id, b) : planar_[facets[done]].remove(id)) {
+      changed.push_back({facets[done], t});
+      // What the surroundings exclude by themselves needs no change of the tetrahedralization, which is dear.
+      fine = fine && (flat_ || !clearly_unsupported(t, neighbours));
+    }
+  const int near = on_chain ? a : changed.empty() ? -1 : changed.front().second[0];
   if (fine) {
-    if (on_chain) remove_from_chain(id);
-    --steiner_;
-    return true;
+    if (!flat_) tetrahedra_.remove(id);
+    if (on_chain) fine = chains_[information_[id].carrier].hanging() ? !hanging_encroached(a, b) : flat_ || tetrahedra_.is_edge(a, b);
+    for (std::size_t k = 0; k < changed.size() && fine; ++k) fine = test(changed[k].first, changed[k].second) == State::good;
+    if (fine) {
+      if (on_chain) remove_from_chain(id);
+      --steiner_;
+      for (const auto& [f, t] : changed) neighbours.insert(neighbours.end(), t.begin(), t.end());
+      return true;
+    }
+    if (!flat_) tetrahedra_.insert(id, point(id), near);
   }
   alive_[id] = 1;
-  const int near = on_chain ? a : changed.empty() ? -1 : changed.front().second[0];
-  if (!flat_) tetrahedra_.insert(id, point(id), near);
-  for (FacetId f : facets_of(id)) {
+  for (std::size_t k = 0; k < done; ++k) {
     if (on_chain)
-      planar_[f].split(a, b, id, point(id));
+      planar_[facets[k]].split(a, b, id, point(id));
     else
-      planar_[f].insert(id, point(id), near);
+      planar_[facets[k]].insert(id, point(id), near);
   }
   return false;
 }
@@ -241,8 +258,8 @@ void LeanState::examine_around(const DelaunayTetrahedralization::Conflict& confl
     }
   }
   if (!alive_[id]) return;
-  for (const Chain& chain : chains_) {
-    if (!chain.hanging()) continue;
+  for (SegmentId s : hanging_) {
+    const Chain& chain = chains_[s];
     for (std::size_t i = 0; i + 1 < chain.stations.size(); ++i) {
       const int a = chain.stations[i].point, b = chain.stations[i + 1].point;
       if (a != id && b != id && diametral_power(point(a), point(b), point(id)) <= 0) missing.push_back({a, b});

@@ -82,6 +82,8 @@ class LeanState {
   /// Does nothing support the piece of a segment? A hanging one needs its diametral ball (certificate-format.md, rule hanging).
   bool unsupported(int a, int b) const;
   double circumradius(const Triangle& triangle) const;
+  /// Do the given points alone leave the triangle no empty sphere, by a margin that floating point can vouch for?
+  bool clearly_unsupported(const Triangle& triangle, const std::vector<int>& points) const;
 
   // --- changes; what they spoil is queued by settle() ---
   /// Inserts a point into a segment's chain, and into every facet of it.
@@ -92,8 +94,8 @@ class LeanState {
   void take_out(int id);
   /// Tests what the last changes may have spoiled.
   void settle();
-  /// Takes the point out if everything is supported without it.
-  bool try_remove(int id);
+  /// Takes the point out if everything is supported without it. Says then whose surroundings that changed.
+  bool try_remove(int id, std::vector<int>& neighbours);
 
   void examine_everything();
   /// Pieces and triangles that failed a test when it was made. Largest circumradius first.
@@ -135,6 +137,7 @@ class LeanState {
   std::vector<Information> information_;
   std::vector<char> alive_;
   std::vector<Chain> chains_;
+  std::vector<SegmentId> hanging_;
   std::vector<std::vector<FacetId>> facets_of_vertex_, single_;
   std::unordered_map<std::uint64_t, SegmentId> segment_of_;
   std::vector<PlaneFrame> frames_;

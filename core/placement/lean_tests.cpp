@@ -78,6 +78,32 @@ bool LeanState::unsupported(int a, int b) const {
   return !flat_ && !tetrahedra_.is_edge(a, b);
 }
 
+bool LeanState::clearly_unsupported(const Triangle& t, const std::vector<int>& points) const {
+  constexpr double margin = 1e-6, thin = 1e-8;
+  const Point& a = point(t[0]);
+  const Double3 u = approximate_difference(point(t[1]), a), w = approximate_difference(point(t[2]), a), n = cross(u, w);
+  const double uu = dot(u, u), ww = dot(w, w), nn = dot(n, n);
+  if (!(nn > thin * uu * ww)) return false;
+  const Double3 z = (uu / (2 * nn)) * cross(w, n) + (ww / (2 * nn)) * cross(n, u);
+  const double size = std::sqrt(nn);
+  // Spheres of the pencil have their centres at z + t n/|n|, for t between these.
+  double low = -1e300, high = 1e300;
+  for (int id : points) {
+    if (!alive_[id] || id == t[0] || id == t[1] || id == t[2]) continue;
+    const Double3 d = approximate_difference(point(id), a);
+    const double square = dot(d, d), power = square - 2 * dot(z, d), height = dot(n, d) / size;
+    if (height * height < margin * margin * square) {
+      if (power < -margin * (square + length(z) * std::sqrt(square))) return true;
+    } else if (height > 0) {
+      high = std::min(high, power / (2 * height));
+    } else {
+      low = std::max(low, power / (2 * height));
+    }
+  }
+  if (low == -1e300 || high == 1e300) return false;
+  return low > high + margin * (length(z) + std::abs(low) + std::abs(high));
+}
+
 double LeanState::circumradius(const Triangle& t) const {
   const double x = distance(t[0], t[1]), y = distance(t[1], t[2]), z = distance(t[2], t[0]);
   const double area = std::sqrt(std::max(0.0, (x + y + z) * (-x + y + z) * (x - y + z) * (x + y - z)));

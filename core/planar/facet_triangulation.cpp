@@ -206,7 +206,14 @@ FacetTriangulation::Walk FacetTriangulation::walk(const Triangle& from, const Po
       if (planar_orientation(self.projection, self.point(f->vertex(Triangulation::ccw(i))), self.point(f->vertex(Triangulation::cw(i))), to) < 0)
         crossed = i;
     }
-    if (crossed < 0) return {true, {-1, -1}};
+    if (crossed < 0) {
+      // Exactly on a constraint is behind it.
+      for (int i = 0; i < 3; ++i)
+        if (t.is_constrained(Edge(f, i)) &&
+            planar_orientation(self.projection, self.point(f->vertex(Triangulation::ccw(i))), self.point(f->vertex(Triangulation::cw(i))), to) == 0)
+          return {false, sorted(f->vertex(Triangulation::ccw(i))->info(), f->vertex(Triangulation::cw(i))->info())};
+      return {true, {-1, -1}};
+    }
     if (t.is_constrained(Edge(f, crossed)))
       return {false, sorted(f->vertex(Triangulation::ccw(crossed))->info(), f->vertex(Triangulation::cw(crossed))->info())};
     previous = f;
