@@ -10,12 +10,14 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <random>
 
 #include "core/complex/merge.h"
 #include "proofs/certificate/writer.h"
 #include "tests/support/exact_placement.h"
 #include "tests/support/placing.h"
+#include "tests/support/random_inputs.h"
 #include "tests/support/small_inputs.h"
 
 using namespace confidel;
@@ -115,6 +117,17 @@ long steiner(const Complex& complex, LeanReport* report = nullptr) {
   return static_cast<long>(placement.points.size() - complex.vertices.size());
 }
 
+// Graded's number of Steiner points, accepted too; nothing if it needs many.
+std::optional<long> steiner_of_graded(const Complex& complex) {
+  try {
+    const Placement placement = place(complex, Strategy::graded, 20000);
+    certificate(complex, placement);
+    return static_cast<long>(placement.points.size() - complex.vertices.size());
+  } catch (const LimitReached&) {
+    return std::nullopt;
+  }
+}
+
 long steiner(const Input& input, LeanReport* report = nullptr) { return steiner(build_complex(input).complex, report); }
 
 }  // namespace
@@ -177,6 +190,106 @@ BOOST_AUTO_TEST_CASE(merged_edge_that_others_share) {
   BOOST_REQUIRE(complex.facets.size() == 2u);
   BOOST_TEST(complex.facets[0].constraints.size() + complex.facets[1].constraints.size() == 1u);
   steiner(complex);
+}
+
+// Flattened: angles down to some hundredths of a degree. Graded is asked only as far as it stays small.
+BOOST_AUTO_TEST_CASE(squashed_complexes) {
+  for (std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    Random random(seed);
+    Input input = random_subcomplex(random, 8, false);
+    for (InputVertex& vertex : input.vertices) vertex.position[2] = std::ldexp(vertex.position[2], -static_cast<int>(4 + seed % 4 * 2));
+    const Complex complex = build_complex(input).complex;
+    LeanReport report;
+    const long points = steiner(complex, &report);
+    BOOST_TEST_MESSAGE("squashed " << seed << ": " << points << " points, " << report.protected_vertices << " balls, " << report.protected_segments << " rows");
+    BOOST_TEST(!report.fell_back);
+    if (const auto graded = steiner_of_graded(complex)) BOOST_TEST(points <= *graded);
+  }
+}
+
+// All squares between the points of a 3 x 3 x 2 grid, and equal blades at equal angles: everything ties with everything.
+BOOST_AUTO_TEST_CASE(ties) {
+  std::vector<Position> vertices;
+  std::vector<std::vector<int>> squares;
+  const auto id = [](int x, int y, int z) { return x + 3 * y + 9 * z; };
+  for (int z = 0; z < 2; ++z)
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x) {
+        vertices.push_back({1. * x, 1. * y, 1. * z});
+        if (x < 2 && y < 2) squares.push_back({id(x, y, z), id(x + 1, y, z), id(x + 1, y + 1, z), id(x, y + 1, z)});
+        if (x < 2 && z < 1) squares.push_back({id(x, y, z), id(x + 1, y, z), id(x + 1, y, z + 1), id(x, y, z + 1)});
+        if (y < 2 && z < 1) squares.push_back({id(x, y, z), id(x, y + 1, z), id(x, y + 1, z + 1), id(x, y, z + 1)});
+      }
+  BOOST_TEST(steiner(triangles(vertices, squares)) == 0);
+  // The squares' diagonals: right angles at everything.
+  std::vector<std::vector<int>> halves;
+  for (const auto& s : squares) halves.insert(halves.end(), {{s[0], s[1], s[2]}, {s[0], s[2], s[3]}});
+  LeanReport report;
+  steiner(triangles(vertices, halves), &report);
+  BOOST_TEST(!report.fell_back);
+  for (int count : {4, 6, 12}) {
+    std::vector<Position> corners{{0, 0, 0}, {0, 0, 1}};
+    std::vector<std::vector<int>> leaves;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * pi * i / count;
+      corners.push_back({std::round(64 * std::cos(angle)), std::round(64 * std::sin(angle)), 0.5});
+      leaves.push_back({0, 1, i + 2});
+    }
+    steiner(triangles(corners, leaves), &report);
+    BOOST_TEST(!report.fell_back);
+  }
+}
+
+// A plate with a hole, a slit and a vertex inside, on which blades stand, and an edge that hovers over it.
+BOOST_AUTO_TEST_CASE(holes_and_interior_vertices) {
+  for (const double height : {1.0, 0.05}) {
+    InputMaker maker;
+    maker.vertices({{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}, {2, 2, 0}, {4, 2, 0}, {3, 4, 0}, {5, 5, 0}, {7, 5, 0}, {6, 2, 0},
+                    {6, 5, 2}, {6, 2.5, 2}, {5.5, 2, 2}, {5.2, 5.3, 3}, {5, 6, 3}, {1, 1, height}, {7, 1, 2 * height}})
+        .facet({{0, 1, 2, 3}, {4, 5, 6}, {7, 8}, {9}}, {{3, 2.5, 0}})
+        .facet({{7, 8, 10}})
+        .facet({{9, 11, 12}})
+        .facet({{7, 13, 14}})
+        .segment(15, 16);
+    LeanReport report;
+    const long points = steiner(maker, &report);
+    BOOST_TEST_MESSAGE("plate: " << points << " points, " << report.protected_vertices << " balls, " << report.protected_segments << " rows");
+    BOOST_TEST(!report.fell_back);
+  }
+}
+
+// Small angles in the plane need no protection: segments are cut at equal distances from their common vertex.
+BOOST_AUTO_TEST_CASE(stars_in_the_plane) {
+  for (double degrees : {5.0, 1.0, 0.1}) {
+    std::vector<Position> vertices{{0, 0, 0}};
+    std::vector<Pair> edges;
+    for (int i = 0; i < 5; ++i) {
+      const double angle = pi / 180 * degrees * i, size = 1 + 0.37 * (i * 7 % 5);
+      vertices.push_back({size * std::cos(angle), size * std::sin(angle), 0});
+      edges.push_back({0, i + 1});
+    }
+    InputMaker maker(2);
+    maker.vertices(vertices);
+    for (const auto& [a, b] : edges) maker.segment(a, b);
+    LeanReport report;
+    const long points = steiner(maker, &report);
+    BOOST_TEST_MESSAGE(degrees << " degrees: " << points << " points");
+    BOOST_TEST(!report.fell_back);
+    BOOST_TEST(points < 200);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(fewer_points_than_graded) {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    const NamedInput named = random_input(seed);
+    BOOST_TEST_CONTEXT(named.name) {
+      const Complex complex = build_complex(named.input).complex;
+      LeanReport report;
+      const long points = steiner(complex, &report);
+      BOOST_TEST(!report.fell_back, report.reason);
+      if (const auto graded = steiner_of_graded(complex)) BOOST_TEST(points <= *graded);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
