@@ -176,7 +176,8 @@ Placement place(Run& run, const Complex& complex, const Features& features) {
   if (!options.rule.name.empty()) return place_global(complex, features, options.rule, limits, run.meter);
   LeanReport lean;
   Placement placement = place_lean(complex, features, limits, run.meter, &lean);
-  run.report["lean"] = {{"placed", lean.placed}, {"removed", lean.removed}, {"protected_by_graded", lean.fell_back}, {"reason", lean.reason}};
+  run.report["lean"] = {{"placed", lean.placed}, {"removed", lean.removed}, {"protected_vertices", lean.protected_vertices},
+                        {"protected_segments", lean.protected_segments}, {"protected_by_graded", lean.fell_back}, {"reason", lean.reason}};
   if (lean.fell_back) run.say("lean: {}; the whole input is protected as the graded strategy does\n", lean.reason);
   return placement;
 }

@@ -92,6 +92,28 @@ struct FacetTriangulation::Implementation {
     return result;
   }
 
+  // The finite faces all of whose corners are around a vertex, each up to three times.
+  std::vector<FaceHandle> faces_among(const std::vector<VertexHandle>& ring) const {
+    const std::set<VertexHandle> members(ring.begin(), ring.end());
+    std::vector<FaceHandle> result;
+    for (const VertexHandle v : ring) {
+      auto f = triangulation.incident_faces(v), end = f;
+      do {
+        bool all = !triangulation.is_infinite(f);
+        for (int i = 0; i < 3 && all; ++i) all = members.count(f->vertex(i)) > 0;
+        if (all) result.push_back(f);
+      } while (++f != end);
+    }
+    return result;
+  }
+
+  std::vector<Triangle> corners_among(const std::vector<VertexHandle>& ring) const {
+    std::vector<Triangle> result;
+    for (const FaceHandle f : faces_among(ring)) result.push_back(triangle(f));
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   // After a removal: the triangles all of whose corners were around the removed vertex.
   std::vector<Triangle> among(const std::vector<VertexHandle>& ring) const {
     std::set<VertexHandle> members(ring.begin(), ring.end());
@@ -184,7 +206,14 @@ FacetTriangulation::Walk FacetTriangulation::walk(const Triangle& from, const Po
       if (planar_orientation(self.projection, self.point(f->vertex(Triangulation::ccw(i))), self.point(f->vertex(Triangulation::cw(i))), to) < 0)
         crossed = i;
     }
-    if (crossed < 0) return {true, {-1, -1}};
+    if (crossed < 0) {
+      // Exactly on a constraint is behind it.
+      for (int i = 0; i < 3; ++i)
+        if (t.is_constrained(Edge(f, i)) &&
+            planar_orientation(self.projection, self.point(f->vertex(Triangulation::ccw(i))), self.point(f->vertex(Triangulation::cw(i))), to) == 0)
+          return {false, sorted(f->vertex(Triangulation::ccw(i))->info(), f->vertex(Triangulation::cw(i))->info())};
+      return {true, {-1, -1}};
+    }
     if (t.is_constrained(Edge(f, crossed)))
       return {false, sorted(f->vertex(Triangulation::ccw(crossed))->info(), f->vertex(Triangulation::cw(crossed))->info())};
     previous = f;
@@ -245,9 +274,12 @@ std::vector<FacetTriangulation::Triangle> FacetTriangulation::remove(int id) {
   auto& self = *implementation_;
   const VertexHandle v = self.vertex(id);
   const auto ring = self.link(v);
+  // Everything around the point lies in the facet: so does what fills the hole. Other triangles among the ring stay what they are.
+  const auto old = self.corners_among(ring);
   self.triangulation.remove(v);
   self.vertices.erase(id);
-  self.mark();
+  for (const FaceHandle f : self.faces_among(ring))
+    if (!std::binary_search(old.begin(), old.end(), self.triangle(f))) f->info() = true;
   return self.among(ring);
 }
 

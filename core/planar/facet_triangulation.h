@@ -35,7 +35,7 @@ class FacetTriangulation {
   /// The vertex across the edge ab of the triangle abc if that is no constraint; -1 otherwise.
   int across(int a, int b, int c) const;
 
-  /// Where a point of the plane lies, seen from a triangle: in the facet, or behind a constraint (the first on the way).
+  /// Where a point of the plane lies, seen from a triangle: in the facet, or on or behind a constraint (the first on the way).
   struct Walk {
     bool reached = false;
     std::array<int, 2> constraint{-1, -1};

@@ -61,6 +61,15 @@ bool DelaunayTetrahedralization::is_edge(int a, int b) const {
   return self.triangulation.is_edge(self.vertices[a], self.vertices[b], cell, i, j);
 }
 
+std::vector<int> DelaunayTetrahedralization::neighbours(int id) const {
+  const auto& self = *implementation_;
+  std::vector<VertexHandle> around;
+  self.triangulation.finite_adjacent_vertices(self.vertices[id], std::back_inserter(around));
+  std::vector<int> result;
+  for (const VertexHandle v : around) result.push_back(v->info());
+  return result;
+}
+
 DelaunayTetrahedralization::Face DelaunayTetrahedralization::face(int a, int b, int c) const {
   const auto& self = *implementation_;
   const auto& t = self.triangulation;

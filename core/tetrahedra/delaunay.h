@@ -27,6 +27,8 @@ class DelaunayTetrahedralization {
   bool present(int id) const;
 
   bool is_edge(int a, int b) const;
+  /// The present points that an edge joins with id.
+  std::vector<int> neighbours(int id) const;
 
   /// Is abc a face? Then above/below are the fourth corners of its two tetrahedra, where the normal (b-a) x (c-a) points and on the
   /// other side; -1: the hull's outside.
