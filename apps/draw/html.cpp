@@ -59,7 +59,7 @@ Json table_of(const Picture& picture) {
       table.push_back(row);
     }
   if (report.contains("rule")) {
-    Json row = {{"name", report["rule"]}, {"objects", report.value("object", "")}, {"slack", "fails"}};
+    Json row = {{"name", report["rule"]}, {"objects", report.value("object", "")}, {"slack", report.value("verdict", "") == "REFUTED" ? "refuted" : "fails"}};
     if (report.contains("line")) row["line"] = report["line"];
     table.push_back(row);
   }

@@ -352,7 +352,7 @@ class Drawing {
   }
 
   void text(double left, double top, const char* classes, const std::string& content) {
-    const std::string shown = content.size() > 46 ? content.substr(0, 45) + "…" : content;
+    const std::string shown = content.size() > 52 ? content.substr(0, 51) + "…" : content;
     result_.text += fmt::format("<text x=\"{:.6g}\" y=\"{:.6g}\" class=\"{}\">{}{}</text>\n", left, top, classes, escaped(shown), content == shown ? "" : "<title>" + escaped(content) + "</title>");
   }
 
