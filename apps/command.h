@@ -31,6 +31,10 @@ struct Selection {
 void add_info(CLI::App& app, Selection& selection);
 void add_canonical(CLI::App& app, Selection& selection);
 void add_conform(CLI::App& app, Selection& selection);
+void add_generate(CLI::App& app, Selection& selection);
+void add_campaign(CLI::App& app, Selection& selection);
+void add_shrink(CLI::App& app, Selection& selection);
+void add_falsify(CLI::App& app, Selection& selection);
 
 /// The options that decide what complex an input is: the same for every subcommand that reads one.
 void add_build_options(CLI::App& command, BuildOptions& options);

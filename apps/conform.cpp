@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <thread>
 
 #include "apps/checker_process.h"
@@ -114,6 +115,15 @@ void describe(Run& run, const Placement& placement, const CertificateSummary& su
   run.say("certificate: {} ({} bytes)\ncomplex: SHA-256 {}\n", run.options.output, summary.file_bytes, summary.complex_sha256);
 }
 
+/// Of all angles between segments, segments and facets, facets; null if there is none.
+Json smallest_angle(const Features& features) {
+  double least = std::numbers::pi;
+  for (const auto* angles : {&features.segment_angle, &features.facet_angle})
+    for (const auto& ends : *angles) least = std::min({least, static_cast<double>(ends[0]), static_cast<double>(ends[1])});
+  for (const double angle : features.dihedral_angle) least = std::min(least, angle);
+  return least < 3.14159 ? Json(least * (180 / std::numbers::pi)) : Json();
+}
+
 int undecided(Run& run, const std::string& why, long reached) {
   run.finish_stage("placement");
   run.report["points_reached"] = reached;
@@ -203,6 +213,7 @@ int run_conform(const ConformOptions& options) {
   }
   run.meter.at("measuring features", 0);
   const Features features = compute_features(complex);
+  run.report["smallest_angle_degrees"] = smallest_angle(features);
   run.finish_stage("features");
 
   Placement placement;

@@ -20,6 +20,10 @@ int run_command_line(int argc, char** argv) {
   add_info(app, selection);
   add_canonical(app, selection);
   add_conform(app, selection);
+  add_generate(app, selection);
+  add_campaign(app, selection);
+  add_shrink(app, selection);
+  add_falsify(app, selection);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
