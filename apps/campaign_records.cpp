@@ -136,10 +136,9 @@ Json slacks(const Json& report) {
     const Json& power = checker["smallest-relative-power"];
     result["power"] = {{"slack", power["value"]}, {"object", fmt::format("cell of line {}, point {}", power["cell-line"].dump(), power["point"].dump())}};
   }
-  if (!checker.contains("lemmas") || !checker["lemmas"].is_array()) return result;
-  for (const Json& lemma : checker["lemmas"])
-    if (lemma.is_object() && lemma.contains("lemma") && lemma.contains("slack") && lemma["slack"].is_number())
-      result[lemma["lemma"].get<std::string>()] = {{"slack", lemma["slack"]}, {"object", lemma.value("object", "")}};
+  if (!checker.contains("claims") || !checker["claims"].is_array()) return result;
+  for (const Json& claim : checker["claims"])
+    if (claim["slack"].is_number()) result[claim["id"].get<std::string>()] = {{"slack", claim["slack"]}, {"object", claim["object"]}};
   return result;
 }
 

@@ -184,7 +184,7 @@ void add_falsify(CLI::App& app, Selection& selection) {
   command->add_option("--time-limit", options->time_limit, "For the search, such as 60s; shrinking may take as long again, at least a minute")->transform(seconds)->capture_default_str();
   command->add_option("--max-points", options->settings.max_points, "conform's")->check(CLI::PositiveNumber)->capture_default_str();
   command->add_option("--run-limit", options->settings.time_limit, "conform's --time-limit")->transform(seconds)->capture_default_str();
-  command->add_option("--seed", options->seed, "Where the search begins")->capture_default_str();
+  command->add_option("--seed", options->seed, "Where the search begins")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("--out", options->folder, "Where the tightest input of each family, and a violation, are put")->capture_default_str();
   command->add_option("-j,--processes", options->processes, "How many runs of conform at a time")->check(CLI::Range(1, 64))->capture_default_str();
   command->footer("Example: confidel falsify power --strategy graded --time-limit 60s\nExit codes: 1 a violation was found, 2 bad usage, 3 none in the time given.");

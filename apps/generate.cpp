@@ -54,7 +54,7 @@ void add_generate(CLI::App& app, Selection& selection) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command = app.add_subcommand("generate", "A random input of a family, the same for the same seed");
   command->add_option("FAMILY", options->family, "A family's name, or all: the seed chooses");
-  command->add_option("--seed", options->seed, "A number below 2^64")->capture_default_str();
+  command->add_option("--seed", options->seed, "A number below 2^64")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("-o,--output", options->output, "The file: .smesh, .poly or .obj, as the input needs; without a suffix it gets the right one; default: standard output");
   command->add_flag("--list", options->list, "The families");
   command->footer("Example: confidel generate wedge --seed 7 -o wedge.smesh");

@@ -18,9 +18,11 @@ namespace {
 /// Only async-signal-safe things happen in the handler: it reads these, unlinks, kills and leaves.
 std::array<std::atomic<const char*>, 256> temporary_names{};
 std::array<std::atomic<pid_t>, 256> child_processes{};
+std::atomic<bool> interrupted{false};
 static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 extern "C" void leave(int) {
+  interrupted = true;
   for (const auto& process : child_processes)
     if (const pid_t child = process.load(); child > 0) kill(child, SIGTERM);
   // What they were about to write has to be there before it can be removed.
@@ -40,6 +42,10 @@ void handle_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
   // A closed pipe is an error when writing, not a death without a word.
   std::signal(SIGPIPE, SIG_IGN);
+}
+
+void wait_if_interrupted() {
+  while (interrupted) pause();
 }
 
 PartialFile::PartialFile(const std::string& final_path) : TemporaryFile(final_path + ".partial-" + std::to_string(getpid())) {}

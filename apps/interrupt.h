@@ -11,6 +11,9 @@ namespace confidel {
 /// SIGINT and SIGTERM end the program with 130, remove the partial files, if there are any, and end the child processes.
 void handle_interrupts();
 
+/// Returns only if no interruption has begun: what other threads see of processes that it has ended is no observation.
+void wait_if_interrupted();
+
 /// A file's name; the file, if there is one by then, is removed on destruction and on interruption. At most 256 at a time.
 class TemporaryFile {
  public:

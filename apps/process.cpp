@@ -13,7 +13,9 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <thread>
 
+#include "apps/command.h"
 #include "apps/interrupt.h"
 #include "core/complex/input.h"
 
@@ -113,6 +115,9 @@ ProcessResult run_process(const std::vector<std::string>& command, double time_l
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
+  // A terminal interrupts everybody at once: the child may be the first to know.
+  if (WIFEXITED(status) && WEXITSTATUS(status) == exit_interrupted) std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  wait_if_interrupted();
   ProcessResult result;
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
   else if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
