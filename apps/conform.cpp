@@ -270,7 +270,7 @@ void add_conform(CLI::App& app, Selection& selection) {
                   "lean: as few points as possible; graded: the paper's strategy made local, protects everything; "
                   "repaired: the paper's with its parameters repaired, paper: with those printed (these two end by showing where it fails); "
                   "saalfeld: edge refinement only (planar inputs)")
-      ->check(CLI::IsMember({"lean", "graded", "repaired", "paper", "saalfeld"}))->capture_default_str();
+      ->check(CLI::IsMember(strategy_names()))->capture_default_str();
   command->add_option("--beta", options->beta, "With --strategy paper: the angle of an edge's protectors at its ends as a part of phi, such as 1/3, instead of what is printed")
       ->option_text("P/Q");
   command->add_option("--max-circumradius", options->max_circumradius, "Planar inputs with --strategy repaired or paper: no circumradius is greater (Theorem 2.1)")

@@ -58,11 +58,6 @@ void add_conform_limits(CLI::App& command, ConformSettings& settings) {
   command.add_option("--memory-limit", settings.memory_limit, "conform's, such as 2G")->transform(CLI::AsSizeValue(false))->capture_default_str();
 }
 
-const std::vector<std::string>& strategy_names() {
-  static const std::vector<std::string> names{"lean", "graded"};
-  return names;
-}
-
 const char* name_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::verified: return "verified";

@@ -28,9 +28,6 @@ struct ConformSettings {
 /// --max-points, --time-limit, --memory-limit.
 void add_conform_limits(CLI::App& command, ConformSettings& settings);
 
-/// The strategies that conform knows.
-const std::vector<std::string>& strategy_names();
-
 enum class Outcome { verified, refuted, undecided, rejected, invalid, crash };
 const char* name_of(Outcome outcome);
 

@@ -203,7 +203,7 @@ def main():
         daemon = cluster.daemons["n2"]
         cluster.wait(lambda: cluster.nodes().get("n2") in ("alloc", "mix"), 60, lambda: "n2 never works: %s" % cluster.nodes())
         time.sleep(0.5)
-        # slurmstepd has a session of its own, but its parent is slurmd or init: what runs for n2 is found by its spool folder.
+        # What runs for n2 knows it by its environment; slurmstepd, which does not, is its parent, and has to go first: it must not report.
         victims = [daemon.pid, *children_of(daemon.pid)]
         for number in filter(str.isdigit, os.listdir("/proc")):
             try:
@@ -211,6 +211,9 @@ def main():
             except OSError:
                 continue
             if b"SLURMD_NODENAME=n2" in words and ("SLURM_CONF=" + cluster.environment["SLURM_CONF"]).encode() in words:
+                parent = int(open("/proc/%s/stat" % number).read().rsplit(")", 1)[1].split()[1])
+                if open("/proc/%d/comm" % parent).read().startswith("slurmstepd"):
+                    victims.insert(0, parent)
                 victims.append(int(number))
         for victim in victims:
             try:
