@@ -30,6 +30,11 @@ void write_all(std::FILE* stream, const std::string& name, const std::string& by
 
 }  // namespace
 
+const std::vector<std::string>& strategy_names() {
+  static const std::vector<std::string> names{"lean", "graded", "repaired", "paper", "saalfeld"};
+  return names;
+}
+
 void add_build_options(CLI::App& command, BuildOptions& options) {
   using Merging = BuildOptions::Merging;
   command.add_flag("--merge-identical", options.merge_identical_vertices, "Vertices with the same position are one vertex, not an error");

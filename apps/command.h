@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/complex/build.h"
 #include "core/complex/input.h"
@@ -34,6 +35,13 @@ void add_conform(CLI::App& app, Selection& selection);
 void add_draw(CLI::App& app, Selection& selection);
 void add_lemma(CLI::App& app, Selection& selection);
 void add_paper(CLI::App& app, Selection& selection);
+void add_generate(CLI::App& app, Selection& selection);
+void add_campaign(CLI::App& app, Selection& selection);
+void add_shrink(CLI::App& app, Selection& selection);
+void add_falsify(CLI::App& app, Selection& selection);
+
+/// The strategies that conform knows.
+const std::vector<std::string>& strategy_names();
 
 /// The options that decide what complex an input is: the same for every subcommand that reads one.
 void add_build_options(CLI::App& command, BuildOptions& options);

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <thread>
 
 #include "apps/checker_process.h"
@@ -114,6 +115,15 @@ void describe(Run& run, const Placement& placement, const CertificateSummary& su
   run.say("certificate: {} ({} bytes)\ncomplex: SHA-256 {}\n", run.options.output, summary.file_bytes, summary.complex_sha256);
 }
 
+/// Of all angles between segments, segments and facets, facets; null if there is none.
+Json smallest_angle(const Features& features) {
+  double least = std::numbers::pi;
+  for (const auto* angles : {&features.segment_angle, &features.facet_angle})
+    for (const auto& ends : *angles) least = std::min({least, static_cast<double>(ends[0]), static_cast<double>(ends[1])});
+  for (const double angle : features.dihedral_angle) least = std::min(least, angle);
+  return least < 3.14159 ? Json(least * (180 / std::numbers::pi)) : Json();
+}
+
 int undecided(Run& run, const std::string& why, long reached) {
   run.finish_stage("placement");
   run.report["points_reached"] = reached;
@@ -204,6 +214,7 @@ int run_conform(const ConformOptions& options) {
   }
   run.meter.at("measuring features", 0);
   const Features features = compute_features(complex);
+  run.report["smallest_angle_degrees"] = smallest_angle(features);
   run.finish_stage("features");
 
   Placement placement;
@@ -267,7 +278,7 @@ void add_conform(CLI::App& app, Selection& selection) {
                   "lean: as few points as possible; graded: the paper's strategy made local, protects everything; "
                   "repaired: the paper's with its parameters repaired, paper: with those printed (these two end by showing where it fails); "
                   "saalfeld: edge refinement only (planar inputs)")
-      ->check(CLI::IsMember({"lean", "graded", "repaired", "paper", "saalfeld"}))->capture_default_str();
+      ->check(CLI::IsMember(strategy_names()))->capture_default_str();
   command->add_option("--beta", options->beta, "With --strategy paper: the angle of an edge's protectors at its ends as a part of phi, such as 1/3, instead of what is printed")
       ->option_text("P/Q");
   command->add_option("--max-circumradius", options->max_circumradius, "Planar inputs with --strategy repaired or paper: no circumradius is greater (Theorem 2.1)")

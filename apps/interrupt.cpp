@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/interrupt.h"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,14 +16,20 @@ namespace confidel {
 namespace {
 
 /// Only async-signal-safe things happen in the handler: it reads these, unlinks, kills and leaves.
-std::array<std::atomic<const char*>, 4> partial_names{};
-std::atomic<pid_t> child_process{0};
+std::array<std::atomic<const char*>, 256> temporary_names{};
+std::array<std::atomic<pid_t>, 256> child_processes{};
+std::atomic<bool> interrupted{false};
 static_assert(std::atomic<const char*>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 extern "C" void leave(int) {
-  for (const auto& partial : partial_names)
-    if (const char* name = partial.load()) unlink(name);
-  if (const pid_t child = child_process.load(); child > 0) kill(child, SIGTERM);
+  interrupted = true;
+  for (const auto& process : child_processes)
+    if (const pid_t child = process.load(); child > 0) kill(child, SIGTERM);
+  // What they were about to write has to be there before it can be removed.
+  for (const auto& process : child_processes)
+    if (const pid_t child = process.load(); child > 0) waitpid(child, nullptr, 0);
+  for (const auto& temporary : temporary_names)
+    if (const char* name = temporary.load()) unlink(name);
   _exit(exit_interrupted);
 }
 
@@ -37,22 +44,39 @@ void handle_interrupts() {
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-PartialFile::PartialFile(const std::string& final_path) : name_(final_path + ".partial-" + std::to_string(getpid())) {
-  for (auto& partial : partial_names) {
+void wait_if_interrupted() {
+  while (interrupted) pause();
+}
+
+PartialFile::PartialFile(const std::string& final_path) : TemporaryFile(final_path + ".partial-" + std::to_string(getpid())) {}
+
+TemporaryFile::TemporaryFile(std::string name) : name_(std::move(name)) {
+  for (auto& temporary : temporary_names) {
     const char* none = nullptr;
-    if (partial.compare_exchange_strong(none, name_.c_str())) return;
+    if (temporary.compare_exchange_strong(none, name_.c_str())) return;
   }
 }
 
-PartialFile::~PartialFile() {
+TemporaryFile::~TemporaryFile() {
   unlink(name_.c_str());
-  for (auto& partial : partial_names) {
+  for (auto& temporary : temporary_names) {
     const char* name = name_.c_str();
-    partial.compare_exchange_strong(name, nullptr);
+    temporary.compare_exchange_strong(name, nullptr);
   }
 }
 
-ChildProcess::ChildProcess(pid_t child) { child_process = child; }
-ChildProcess::~ChildProcess() { child_process = 0; }
+ChildProcess::ChildProcess(pid_t child) : child_(child) {
+  for (auto& process : child_processes) {
+    pid_t none = 0;
+    if (process.compare_exchange_strong(none, child)) return;
+  }
+}
+
+ChildProcess::~ChildProcess() {
+  for (auto& process : child_processes) {
+    pid_t child = child_;
+    if (process.compare_exchange_strong(child, 0)) return;
+  }
+}
 
 }  // namespace confidel

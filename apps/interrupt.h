@@ -8,17 +8,19 @@
 
 namespace confidel {
 
-/// SIGINT and SIGTERM end the program with 130, remove the partial files, if there are any, and end the child process.
+/// SIGINT and SIGTERM end the program with 130, remove the partial files, if there are any, and end the child processes.
 void handle_interrupts();
 
-/// A file's name while it is being written; removed on destruction unless it has been renamed, and on interruption.
-/// At most four at a time.
-class PartialFile {
+/// Returns only if no interruption has begun: what other threads see of processes that it has ended is no observation.
+void wait_if_interrupted();
+
+/// A file's name; the file, if there is one by then, is removed on destruction and on interruption. At most 256 at a time.
+class TemporaryFile {
  public:
-  explicit PartialFile(const std::string& final_path);
-  ~PartialFile();
-  PartialFile(const PartialFile&) = delete;
-  PartialFile& operator=(const PartialFile&) = delete;
+  explicit TemporaryFile(std::string name);
+  ~TemporaryFile();
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::string& name() const { return name_; }
 
@@ -26,13 +28,22 @@ class PartialFile {
   std::string name_;
 };
 
-/// A process that interruption ends too, as long as this lives. One at a time.
+/// A file's name while it is being written: renamed at the end, or removed.
+class PartialFile : public TemporaryFile {
+ public:
+  explicit PartialFile(const std::string& final_path);
+};
+
+/// A process that interruption ends too, as long as this lives. At most 256 at a time.
 class ChildProcess {
  public:
   explicit ChildProcess(pid_t child);
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
+
+ private:
+  pid_t child_;
 };
 
 }  // namespace confidel

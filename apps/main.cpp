@@ -23,6 +23,10 @@ int run_command_line(int argc, char** argv) {
   add_draw(app, selection);
   add_lemma(app, selection);
   add_paper(app, selection);
+  add_generate(app, selection);
+  add_campaign(app, selection);
+  add_shrink(app, selection);
+  add_falsify(app, selection);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

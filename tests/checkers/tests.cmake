@@ -4,3 +4,8 @@ add_test(NAME checker.certificates
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/run_certificates.py $<TARGET_FILE:confidel-check>)
 set_tests_properties(checker.certificates PROPERTIES LABELS checker TIMEOUT 1200)
 include(${CMAKE_CURRENT_LIST_DIR}/agreement/tests.cmake)
+# A sample of the typed changes; nightly without --most and with --flips. mutation/mutate_checker.py, which changes the checker itself, is nightly too:
+# here it only has to find its places and catch some.
+add_test(NAME checker.typed_mutations
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/mutation/typed_test.py $<TARGET_FILE:confidel-check> --most 1)
+set_tests_properties(checker.typed_mutations PROPERTIES LABELS checker TIMEOUT 600)
