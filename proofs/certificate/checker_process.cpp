@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "apps/checker_process.h"
+#include "proofs/certificate/checker_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -13,7 +13,6 @@
 #include <filesystem>
 #include <vector>
 
-#include "apps/interrupt.h"
 #include "core/complex/input.h"
 
 extern char** environ;
@@ -56,18 +55,20 @@ void drain(const std::array<int, 2>& pipes, std::array<std::string, 2>& texts) {
 
 }  // namespace
 
-CheckerRun run_checker(const std::string& certificate, const std::string& complex_file, int threads, double time_limit,
-                       std::size_t memory_limit) {
+CheckerRun run_checker(const CheckerOptions& options) {
   const std::string program = checker_path();
-  std::vector<std::string> arguments{program, certificate, "--json", "--threads", std::to_string(threads)};
-  if (!complex_file.empty()) arguments.insert(arguments.end(), {"--complex", complex_file});
-  if (time_limit > 0) {
-    arguments.push_back("--time-limit");
-    arguments.push_back(std::to_string(time_limit));
+  std::vector<std::string> arguments{program, options.certificate, "--json", "--threads", std::to_string(options.threads)};
+  if (!options.complex_file.empty()) {
+    arguments.push_back("--complex");
+    arguments.push_back(options.complex_file);
   }
-  if (memory_limit > 0) {
+  if (options.time_limit > 0) {
+    arguments.push_back("--time-limit");
+    arguments.push_back(std::to_string(options.time_limit));
+  }
+  if (options.memory_limit > 0) {
     arguments.push_back("--memory-limit");
-    arguments.push_back(std::to_string(memory_limit));
+    arguments.push_back(std::to_string(options.memory_limit));
   }
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
@@ -89,7 +90,7 @@ CheckerRun run_checker(const std::string& certificate, const std::string& comple
     ::close(error[0]);
     throw FileError(program + ": the checker cannot be started: " + std::strerror(failure) + "; it is expected beside confidel or on PATH");
   }
-  const ChildProcess interrupted_too(child);
+  const std::shared_ptr<void> interrupted_too = options.started ? options.started(child) : nullptr;
   std::array<std::string, 2> texts;
   drain({output[0], error[0]}, texts);
   ::close(output[0]);
