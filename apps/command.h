@@ -37,6 +37,7 @@ void add_convert(CLI::App& app, Selection& selection);
 void add_audit(CLI::App& app, Selection& selection);
 void add_explain(CLI::App& app, Selection& selection);
 void add_manual(CLI::App& app, Selection& selection);
+void add_report(CLI::App& app, Selection& selection);
 
 /// --json: one document on standard output (docs/json.md), the same for every subcommand.
 void add_json_option(CLI::App& command, Selection& selection);

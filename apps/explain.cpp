@@ -43,6 +43,7 @@ std::string heading(const Explanation& explanation) {
   if (explanation.kind == "error") return fmt::format("{}\n", explanation.name);
   if (explanation.kind == "rule") return fmt::format("{}: a rule of the checker (docs/certificate-format.md, section 5)\n", explanation.name);
   if (explanation.kind == "reason") return fmt::format("{}: why a run is UNDECIDED\n", explanation.name);
+  if (explanation.kind == "claim") return fmt::format("{}: a claim about parameters (docs/lemma-claims.md)\n", explanation.name);
   return fmt::format("{}: a lemma (docs/lemmas.md)\n", explanation.name);
 }
 

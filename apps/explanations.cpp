@@ -56,6 +56,7 @@ constexpr Explanation table[] = {
     {"carrier", "rule", "Each Steiner point lies exactly on its segment or in its facet's plane, and is used by a cell of its facet.", ""},
     {"cell", "rule", "Each cell is a triangle of positive orientation in its facet, with corners that belong there.", ""},
     {"box", "rule", "The two triangles of a rectangle of edge protection form a rectangle, exactly.", ""},
+    {"kinds", "rule", "Where lemmas are claimed, each cell is what its letter says: T at an edge's end, S between a vertex and its arc, R half of a rectangle, C the rest; and its sphere is the smallest one.", ""},
     {"tiling", "rule", "The cells of each facet cover it exactly once and contain its inner constraints and isolated vertices.", ""},
     {"emptiness", "rule", "Each cell has a sphere through its corners with no point inside, and no point on it off the facet's plane.", ""},
     {"tie", "rule", "Where points lie on a cell's circle, in its plane, they are not beyond a constrained edge: every choice among equals conforms.", ""},
@@ -69,6 +70,11 @@ constexpr Explanation table[] = {
     {"newer-version", "reason", "The certificate is of a version that this checker does not know.", "Use a newer checker."},
     {"strategy-failed", "reason", "A strategy found that it cannot go on with this input; it never answers wrongly instead.", "Try the other strategy: `--strategy graded` or `--strategy lean`."},
     {"no-certificate", "reason", "Of a mesh under audit nothing fails, but a segment outside of all facets has a point in the smallest ball of a piece: certificates of this version cannot say that it is an edge nevertheless.", "Split that piece."},
+
+    {"H-angle", "claim", "The angle that the parameters are made from is at most every angle of the complex that counts (docs/lemma-claims.md, section 4).", ""},
+    {"H-ball", "claim", "The corners of cells at a vertex lie at the protecting radius from it, as the parameters say.", ""},
+    {"H-offset", "claim", "Protectors lie no farther from their edges than the parameters allow.", ""},
+    {"H-chord", "claim", "The spacing h is at most the chord that the parameters allow.", ""},
 
     {"L0a", "lemma", "an edge with a ball through its ends and no point in it is an edge of the Delaunay subdivision; of every one if no tie separates its ends", ""},
     {"L0b", "lemma", "a triangle with a sphere through its corners and no point in it is a union of faces of the Delaunay subdivision; all such spheres form a pencil", ""},

@@ -40,6 +40,7 @@ int run_command_line(int argc, char** argv, Selection& selection) {
   add_audit(app, selection);
   add_convert(app, selection);
   add_explain(app, selection);
+  add_report(app, selection);
   add_manual(app, selection);
   try {
     app.parse(argc, argv);

@@ -16,18 +16,30 @@ namespace {
 
 using building::Box;
 
-/// Distances in the input's units, to double precision: they are reported, not decided upon.
+/// sqrt(numerator / denominator) / 2^exponent, whatever the integers' size. Pre: numerator >= 0, denominator > 0.
+double root_of_quotient(const mpz_class& numerator, const mpz_class& denominator, int exponent) {
+  long shift = 0, below = 0;
+  const double value = mpz_get_d_2exp(&shift, numerator.get_mpz_t()), divisor = mpz_get_d_2exp(&below, denominator.get_mpz_t());
+  const long power = shift - below;
+  return std::ldexp(std::sqrt(std::ldexp(value / divisor, static_cast<int>(power & 1))), static_cast<int>(power >> 1) - exponent);
+}
+
+/// Distances in the input's units, rounded; computed from exact differences, since they are far below the coordinates' rounding errors. They
+/// are reported, not decided upon.
 class Distances {
  public:
   explicit Distances(const Complex& complex) : complex_(complex) {}
 
   /// Of p from the segment; infinite if it does not project into its interior.
   double to_segment(const Segment& segment, const Point& p) const {
-    const Double3 u = approximate_difference(complex_.vertices[segment[1]], complex_.vertices[segment[0]]);
-    const Double3 d = approximate_difference(p, complex_.vertices[segment[0]]);
-    const double along = dot(u, d) / dot(u, u);
-    if (!(along > 0 && along < 1)) return INFINITY;
-    return std::ldexp(length(cross(u, d)) / length(u), complex_.scale);
+    const Difference u = difference(complex_.vertices[segment[1]], complex_.vertices[segment[0]]);
+    const Difference d = difference(p, complex_.vertices[segment[0]]);
+    const mpz_class along = dot(u.vector, d.vector), uu = dot(u.vector, u.vector);
+    // 0 < d.u < u.u, the differences having their own powers of two.
+    const mpz_class whole = uu << std::max(0, d.exponent - u.exponent), part = along << std::max(0, u.exponent - d.exponent);
+    if (part <= 0 || part >= whole) return INFINITY;
+    const IntegerVector moment = cross(u.vector, d.vector);
+    return std::ldexp(root_of_quotient(dot(moment, moment), uu, d.exponent), complex_.scale);
   }
 
   /// Of p from the triangle's plane; infinite if it projects outside of the triangle by more than a hair.
@@ -37,7 +49,10 @@ class Distances {
     const double nn = dot(n, n), s = dot(cross(d, w), n) / nn, t = dot(cross(u, d), n) / nn;
     constexpr double hair = 1e-9;
     if (!(s > -hair && t > -hair && s + t < 1 + hair)) return INFINITY;
-    return std::ldexp(std::abs(dot(n, d)) / std::sqrt(nn), complex_.scale);
+    const IntegerVector normal = plane_normal(a, b, c);
+    const Difference step = difference(p, a);
+    const mpz_class height = dot(normal, step.vector);
+    return std::ldexp(root_of_quotient(height * height, dot(normal, normal), step.exponent), complex_.scale);
   }
 
  private:

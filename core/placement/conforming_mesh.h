@@ -12,7 +12,7 @@
 
 namespace confidel {
 
-/// hull: every element of the convex hull. regions: without what is reached from outside, or from a hole point, without crossing a facet
+/// hull: every element of the convex hull (in the plane: of what the segments enclose, without holes). regions: without what is reached from outside, or from a hole point, without crossing a facet
 /// (in the plane: an input segment).
 enum class Keep { hull, regions };
 

@@ -114,7 +114,7 @@ def check_depth(programs, folder):
 def check_off_plane(programs, folder):
     """A point meant to lie on a slanted facet, rounded beside it: the facet is no union of Delaunay triangles any more, by very little."""
     plc, mesh = os.path.join(folder, "s.off"), os.path.join(folder, "s.node")
-    corners = [(0.0, 0.0, 0.0), (3.0, 0.0, 1.0), (0.0, 3.0, 1.0), (1.0, 1.0, -4.0)]
+    corners = [(0.0, 0.0, 0.0), (3.0, 0.0, 1.0), (0.0, 3.0, 1.0), (1.0, 1.0, 6.0)]
     write_off(plc, corners, [(0, 1, 2), (0, 1, 3)])
     beside = (1.0, 1.0, 2 / 3)  # the plane is x + y = 3 z
     write_node(mesh, corners + [beside], base=1)

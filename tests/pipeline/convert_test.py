@@ -52,7 +52,7 @@ def check_digits(programs, folder):
         file.write("f 1 2 3\n")
     code, _, err = programs.run("convert", path, out)
     rows = [line.split() for line in open(out).read().split("\n")[2:2 + len(numbers)]] if code == 0 else []
-    programs.expect([float(row[0]).hex() for row in rows] == [x.hex() for x in numbers], "digits are lost: %s" % err)
+    programs.expect([float(row[0]).hex() for row in rows] == [(x + 0.0).hex() for x in numbers], "digits are lost: %s" % err)
 
 
 def check_merge(programs, folder):

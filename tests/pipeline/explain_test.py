@@ -42,9 +42,11 @@ def main():
     programs.expect(used == of_kind("error"), "codes without explanation: %s; explanations without code: %s" %
                     (sorted(used - of_kind("error")), sorted(of_kind("error") - used)))
 
-    with open(os.path.join(ROOT, "checkers/gmp/main.cpp"), encoding="utf-8") as file:
-        rules = set(re.findall(r'^    \{"([a-z]+)", rule', file.read(), re.M))
-    programs.expect(rules <= of_kind("rule") and len(rules) > 8, "rules of the checker: %s" % sorted(rules ^ of_kind("rule")))
+    rules = set(re.findall(r'^const Rule [a-z]+\{"([a-z]+)", rule', text, re.M))
+    programs.expect(rules == of_kind("rule") and len(rules) > 8, "rules of the checker: %s" % sorted(rules ^ of_kind("rule")))
+    with open(os.path.join(ROOT, "docs/lemma-claims.md"), encoding="utf-8") as file:
+        claims = set(re.findall(r"^\| (H-[a-z]+) \|", file.read(), re.M))
+    programs.expect(claims == of_kind("claim"), "claims that are no lemmas: %s" % sorted(claims ^ of_kind("claim")))
     for reason in of_kind("reason"):
         programs.expect('"%s' % reason in text or " " + reason in text, "no program says " + reason)
 

@@ -51,6 +51,7 @@ def main():
                 ("audit", 0, ("audit", example("cube.off"), example("cube-mesh.node"))),
                 ("audit", 1, ("audit", example("w3.smesh"), out("moved.node"))),
                 ("convert", 0, ("convert", example("crossing.poly"), out("c.poly"), "--split-crossings")),
+                ("report", 0, ("report", example("campaign"), "-o", out("report.html"))),
                 ("explain", 0, ("explain",)), ("explain", 0, ("explain", "L1")))
         with open(out("moved.node"), "w") as file:
             file.write("5 3 0 0\n0 0 0 0\n1 10 0 0\n2 0 10 0\n3 0 0 10\n4 5 5 0.000000001\n")
