@@ -51,6 +51,7 @@ def main():
                 ("audit", 0, ("audit", example("cube.off"), example("cube-mesh.node"))),
                 ("audit", 1, ("audit", example("w3.smesh"), out("moved.node"))),
                 ("convert", 0, ("convert", example("crossing.poly"), out("c.poly"), "--split-crossings")),
+                ("draw", 0, ("draw", cert, "-o", out("picture.html"))),
                 ("report", 0, ("report", example("campaign"), "-o", out("report.html"))),
                 ("explain", 0, ("explain",)), ("explain", 0, ("explain", "L1")))
         with open(out("moved.node"), "w") as file:
