@@ -105,7 +105,7 @@ def check_package(build, folder):
 
 
 def main():
-    build, compiler = sys.argv[1:]
+    build, compiler = os.path.abspath(sys.argv[1]), sys.argv[2]
     with open(os.path.join(build, "CMakeCache.txt")) as file:
         if re.search(r"^CONFIDEL_SANITIZE:BOOL=ON", file.read(), re.M):
             print("skipped: a build with sanitizers")
