@@ -8,8 +8,10 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "apps/interrupt.h"
+#include "apps/style.h"
 
 namespace confidel {
 
@@ -46,11 +48,25 @@ void add_build_options(CLI::App& command, BuildOptions& options) {
       ->option_text("auto|on|off");
 }
 
-void print_problems(const InputError& error) {
+void add_json_option(CLI::App& command, Selection& selection) {
+  command.add_flag("--json", selection.json, "One JSON document on standard output (docs/json.md); verdicts and messages go to standard error");
+}
+
+void print_problems(const InputError& error, bool json) {
+  if (json) {
+    nlohmann::ordered_json document{{"exit", static_cast<int>(exit_bad_input)}, {"problems", nlohmann::ordered_json::array()}};
+    for (const Problem& problem : error.problems)
+      document["problems"].push_back({{"code", problem.code},
+                                      {"file", problem.place.file},
+                                      {"line", problem.place.line},
+                                      {"column", problem.place.column},
+                                      {"message", problem.message}});
+    fmt::print("{}\n", document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  }
   const std::size_t shown = std::min(shown_problems, error.problems.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const Problem& problem = error.problems[i];
-    fmt::print(stderr, "{}: error[{}]: {}\n", place_text(problem.place), problem.code, problem.message);
+    fmt::print(stderr, "{}: {}: {}\n", place_text(problem.place), styled(Style::error, fmt::format("error[{}]", problem.code), stderr), problem.message);
   }
   if (error.problems.size() <= shown) return;
   std::map<std::string, std::size_t> counts;

@@ -27,6 +27,7 @@ enum ExitCode : int {
 
 struct Selection {
   std::function<int()> run;
+  bool json = false;  ///< --json was given: problems are reported as a document, too
 };
 
 void add_info(CLI::App& app, Selection& selection);
@@ -42,12 +43,21 @@ void add_falsify(CLI::App& app, Selection& selection);
 
 /// The strategies that conform knows.
 const std::vector<std::string>& strategy_names();
+void add_convert(CLI::App& app, Selection& selection);
+void add_audit(CLI::App& app, Selection& selection);
+void add_explain(CLI::App& app, Selection& selection);
+void add_manual(CLI::App& app, Selection& selection);
+void add_report(CLI::App& app, Selection& selection);
+
+/// --json: one document on standard output (docs/json.md), the same for every subcommand.
+void add_json_option(CLI::App& command, Selection& selection);
 
 /// The options that decide what complex an input is: the same for every subcommand that reads one.
 void add_build_options(CLI::App& command, BuildOptions& options);
 
-/// The problems of a bad input on standard error: the first 20, then how many there are of each code.
-void print_problems(const InputError& error);
+/// The problems of a bad input on standard error: the first 20, then how many there are of each code. With json also, all of them, as
+/// a document on standard output.
+void print_problems(const InputError& error, bool json);
 
 /// Writes all bytes, to standard output if path is empty. A file appears complete or not at all, also when the program
 /// is interrupted. Throws FileError.

@@ -2,6 +2,7 @@
 // confidel conform FILE -o OUT.cert: places Steiner points, writes the certificate, and has it checked by the checker program.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -9,13 +10,16 @@
 #include <numbers>
 #include <thread>
 
+#include "apps/audit_report.h"
 #include "apps/checker_process.h"
 #include "apps/command.h"
 #include "apps/interrupt.h"
 #include "apps/meter.h"
+#include "apps/style.h"
 #include "core/complex/build.h"
 #include "core/features/features.h"
 #include "core/io/read.h"
+#include "core/placement/conforming_mesh.h"
 #include "core/placement/global.h"
 #include "core/placement/graded.h"
 #include "core/placement/lean.h"
@@ -33,6 +37,8 @@ struct ConformOptions {
   std::string file, output, strategy = "lean", beta, claims;
   double max_circumradius = 0;  ///< exactly this double; 0: no bound
   GlobalRule rule;  ///< of paper and repaired
+  std::string mesh, keep = "hull";
+  bool exact_text = false;
   BuildOptions build;
   long max_points = 3'000'000;
   double time_limit = 0;
@@ -67,9 +73,9 @@ struct Run {
     report["exit"] = code;
     if (options.json) {
       fmt::print("{}\n", report.dump(2));
-      fmt::print(stderr, "{}\n", verdict);
+      fmt::print(stderr, "{}\n", styled_verdict(verdict, stderr));
     } else {
-      fmt::print("{}\n", verdict);
+      fmt::print("{}\n", styled_verdict(verdict, stdout));
     }
     return code;
   }
@@ -170,6 +176,35 @@ int check(Run& run, const Complex& complex) {
   return run.finish(checker.verdict, exit_internal);
 }
 
+/// Writes the mesh and judges what was written: rounded points are others than those that the certificate is about.
+void write_mesh(Run& run, const Input& input, const BuiltComplex& built, const Placement& placement) {
+  const ConformOptions& options = run.options;
+  run.meter.at("meshing", 0);
+  const ConformingMesh made = conforming_mesh(built.complex, input, placement, options.keep == "regions" ? Keep::regions : Keep::hull, options.exact_text);
+  Json report{{"files", Json::array()}, {"points", made.mesh.points.size()}, {"faces", made.mesh.faces.size()}, {"tetrahedra", made.mesh.tetrahedra.size()}, {"exact", options.exact_text}};
+  for (const auto& [path, text] : mesh_files(made.mesh, options.mesh)) {
+    write_output(path, text);
+    report["files"].push_back(path);
+  }
+  const Audit audit = audit_mesh(built.complex, made.mesh, default_nearness(made.mesh));
+  const auto holding = [](const std::vector<AuditedPart>& parts) {
+    return std::count_if(parts.begin(), parts.end(), [](const AuditedPart& part) { return part.standing == Standing::holds; });
+  };
+  report["rounded"] = {{"moved_points", made.moved},          {"greatest_move", made.greatest_move},          {"turned_elements", made.inverted},
+                       {"conforms", audit.conforms()},        {"segments_that_hold", holding(audit.segments)}, {"facets_that_hold", holding(audit.facets)}};
+  report["remarks"] = made.remarks;
+  run.report["mesh"] = report;
+  run.finish_stage("mesh");
+  run.say("mesh: {}: {} points, {} faces, {} tetrahedra\n", options.mesh, made.mesh.points.size(), made.mesh.faces.size(), made.mesh.tetrahedra.size());
+  for (const std::string& remark : made.remarks) run.say("  {}\n", remark);
+  const std::string verdict = audit.conforms() ? "it still conforms, exactly"
+                                               : fmt::format("exactly, {} of {} segments and {} of {} facets still conform", holding(audit.segments), audit.segments.size(),
+                                                             holding(audit.facets), audit.facets.size());
+  if (made.moved == 0) run.say("  all points are doubles: {}\n", verdict);
+  else run.say("  {} points are no doubles and {} by up to {:.3g}; of the rounded mesh, {}{}\n", made.moved, options.exact_text ? "would move" : "moved", made.greatest_move, verdict,
+               made.inverted > 0 ? fmt::format("; {} elements were turned around", made.inverted) : std::string());
+}
+
 // One place for all strategies.
 Placement place(Run& run, const Complex& complex, const Features& features) {
   const ConformOptions& options = run.options;
@@ -199,7 +234,13 @@ int run_conform(const ConformOptions& options) {
   if (!options.beta.empty()) run.report["beta"] = options.beta;
   run.report["threads"] = options.threads;
   run.meter.at("reading", 0);
-  const BuiltComplex built = build_complex(read_input(options.file), options.build);
+  if (!options.mesh.empty()) {
+    Mesh probe;  // A wrong suffix is said before the work.
+    probe.exact.resize(options.exact_text ? 1 : 0);
+    mesh_files(probe, options.mesh);
+  }
+  const Input input = read_input(options.file);
+  const BuiltComplex built = build_complex(input, options.build);
   const Complex& complex = built.complex;
   run.report["dimension"] = complex.dimension;
   run.report["vertices"] = complex.vertices.size();
@@ -243,6 +284,7 @@ int run_conform(const ConformOptions& options) {
     run.finish_stage("write");
     describe(run, placement, summary);
   }
+  if (!options.mesh.empty() && !placement.refutation) write_mesh(run, input, built, placement);
   placement = Placement();
   return check(run, complex);
 }
@@ -286,6 +328,10 @@ void add_conform(CLI::App& app, Selection& selection) {
   command->add_option("--claims", options->claims,
                       "lemmas: claim every lemma that holds for the strategy (default, but not of lean); conforms: claim conformity only, which confidel-check-verified knows too")
       ->check(CLI::IsMember({"lemmas", "conforms"}));
+  command->add_option("--mesh", options->mesh, "Write the Delaunay mesh too: .vtu, .node (with .ele, .face, .edge), .mesh, .off (the facets only)");
+  command->add_option("--keep", options->keep, "Of the mesh: hull: the whole convex hull; regions: without the outside and the holes of the input")
+      ->check(CLI::IsMember({"hull", "regions"}))->option_text("hull|regions");
+  command->add_flag("--exact-text", options->exact_text, "The mesh's coordinates as rationals, in .node and .off");
   command->add_option("--max-points", options->max_points, "UNDECIDED when more points are needed; 0: no limit")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("--time-limit", options->time_limit, "UNDECIDED after this time, such as 90, 90s or 5m")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE));
@@ -294,12 +340,16 @@ void add_conform(CLI::App& app, Selection& selection) {
   command->add_option("-j,--threads", options->threads, "Threads; 0: as many as the machine has. The result does not depend on it")
       ->check(CLI::NonNegativeNumber)->capture_default_str();
   add_build_options(*command, options->build);
-  command->add_flag("--json", options->json, "One JSON document on standard output; the verdict's line goes to standard error");
+  add_json_option(*command, selection);
   command->add_flag("-q,--quiet", options->quiet, "Only the last line");
-  command->footer("Example: confidel conform examples/w3.smesh -o w3.cert\nExit codes: 0 verified, 1 refuted (paper, repaired), 2 bad input, 3 undecided, 4 unreadable file, 70 internal error, 130 interrupted.");
+  command->footer(
+      "Examples:\n  confidel conform examples/w3.smesh -o w3.cert\n  confidel conform examples/cube.off -o cube.cert.zst --time-limit 60s --json\n"
+      "  confidel conform examples/cube.off -o cube.cert --mesh cube.vtu --keep regions\n\n"
+      "Exit codes: 0 verified, 1 refuted (paper, repaired), 2 bad input, 3 undecided, 4 unreadable file, 70 internal error, 130 interrupted.");
   command->callback([options, &selection] {
     options->rule = rule_of(*options);
     if (options->threads == 0) options->threads = std::max(1U, std::thread::hardware_concurrency());
+    options->json = selection.json;
     selection.run = [options] { return run_conform(*options); };
   });
 }

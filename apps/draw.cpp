@@ -27,7 +27,7 @@ struct DrawOptions {
   std::vector<double> window;
   double time_limit = 0;
   std::size_t memory_limit = 0;
-  bool no_check = false, no_panel = false, quiet = false;
+  bool no_check = false, no_panel = false, quiet = false, json = false;
 };
 
 struct Stopped {};
@@ -79,7 +79,8 @@ int run_draw(const DrawOptions& options) {
     check(picture, options, meter);
     measure(picture, meter);
   } catch (const Stopped&) {
-    fmt::print("stopped; nothing was written\ns UNDECIDED {}\n", meter.reason());
+    if (options.json) fmt::print("{}\n", nlohmann::ordered_json{{"file", options.file}, {"verdict", fmt::format("s UNDECIDED {}", meter.reason())}, {"exit", static_cast<int>(exit_undecided)}}.dump(2));
+    fmt::print(options.json ? stderr : stdout, "stopped; nothing was written\ns UNDECIDED {}\n", meter.reason());
     return exit_undecided;
   }
   meter.at("drawing", static_cast<long>(certificate.points.size()));
@@ -90,7 +91,11 @@ int run_draw(const DrawOptions& options) {
   } else {
     write_output(options.output, suffix == ".html" ? draw_html(picture) : draw_vtu(picture));
   }
-  if (!options.quiet) {
+  if (options.json) {
+    const nlohmann::ordered_json report{{"file", options.file}, {"output", options.output}, {"points", certificate.points.size()}, {"cells", certificate.cells.size()},
+                                        {"violated", picture.violated.size()}, {"verdict", picture.verdict}, {"exit", static_cast<int>(exit_success)}};
+    fmt::print("{}\n", report.dump(2));
+  } else if (!options.quiet) {
     fmt::print("{}: {} points, {} cells, {} violated\n", options.file, certificate.points.size(), certificate.cells.size(), picture.violated.size());
     fmt::print("checked by confidel-check: {}\n", picture.verdict);
     fmt::print("picture: {}\n", options.output);
@@ -117,8 +122,12 @@ void add_draw(CLI::App& app, Selection& selection) {
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE));
   command->add_option("--memory-limit", options->memory_limit, "UNDECIDED above this resident memory, such as 512M or 4G")->transform(CLI::AsSizeValue(false));
   command->add_flag("-q,--quiet", options->quiet, "Nothing but errors and remarks");
-  command->footer("Examples: confidel draw map.cert -o map.svg\n          confidel draw part.cert -o part.html\nExit codes: 0 drawn, 2 bad input, 3 a limit was reached, 4 unreadable file, 70 internal error, 130 interrupted.");
+  add_json_option(*command, selection);
+  command->footer(
+      "Examples:\n  confidel conform examples/courtyard.poly -o map.cert && confidel draw map.cert -o map.svg\n"
+      "  confidel conform examples/w3.smesh -o part.cert && confidel draw part.cert -o part.html\n\nExit codes: 0 drawn, 2 bad input, 3 a limit was reached, 4 unreadable file, 70 internal error, 130 interrupted.");
   command->callback([options, &selection] {
+    options->json = selection.json;
     options->svg.panel = !options->no_panel;
     if (!options->window.empty()) {
       const auto& window = options->window;

@@ -256,9 +256,13 @@ void add_info(CLI::App& app, Selection& selection) {
       app.add_subcommand("info", "Say what is in a file: counts, exact validity, smallest angles, feature sizes");
   command->add_option("FILE", options->file, "The input: .poly, .smesh, .off, .obj, .stl, .ply, .mesh, .edg")
       ->required();
-  command->add_flag("--json", options->json, "One JSON document on standard output");
+  add_json_option(*command, selection);
   add_build_options(*command, options->build);
-  command->callback([options, &selection] { selection.run = [options] { return run_info(*options); }; });
+  command->footer("Examples:\n  confidel info examples/w3.smesh\n  confidel info examples/cube-triangles.off --json");
+  command->callback([options, &selection] {
+    options->json = selection.json;
+    selection.run = [options] { return run_info(*options); };
+  });
 }
 
 }  // namespace confidel

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Other programs, run to their end: what they said and how they ended.
+// Other programs, ended when this one is interrupted.
 #pragma once
 
-#include <string>
-#include <vector>
+#include "proofs/certificate/process.h"
 
 namespace confidel {
 
-struct ProcessResult {
-  int exit_code = -1;  ///< -1 if a signal ended it
-  int signal = 0;      ///< 0 if it ended by itself
-  std::string output, error;
-};
+/// For run_child: interruption of this program ends the child too.
+std::shared_ptr<void> end_when_interrupted(pid_t child);
 
-/// Runs a program (a path, or a name on PATH) and waits for it. Ended with SIGTERM after time_limit seconds, if that is not 0, and with
-/// SIGKILL two seconds later. Interruption of this program ends it too. Safe to call from several threads. Throws FileError if it cannot be started.
+/// A terminal interrupts everybody at once, and a child may be the first to know: does not return if this program is being interrupted.
+void settle_interruption(int exit_code);
+
+/// run_child with both.
 ProcessResult run_process(const std::vector<std::string>& command, double time_limit = 0);
-
-/// The path of a program of ours: beside this one, else as it is, to be found on PATH.
-std::string sibling_program(const std::string& name);
-
-/// The path of this program.
-std::string own_program();
-
-/// The last line that begins with `s `; empty if there is none.
-std::string verdict_line(const std::string& text);
 
 }  // namespace confidel

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// .mesh of Medit: sections by keyword; the surface and the edges are read, volume elements are not.
+// .mesh of Medit: sections by keyword. As an input, the surface and the edges are read; as a mesh, tetrahedra too.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
+#include "core/io/mesh.h"
 #include "core/io/source.h"
 #include "core/io/surface.h"
 #include "core/io/text_parser.h"
@@ -43,8 +44,9 @@ struct Section {
 
 class MeditReader {
  public:
-  MeditReader(TextParser parser, Problems& problems, Input& input)
-      : parser_(std::move(parser)), problems_(problems), input_(input), faces_(input) {}
+  /// With a mesh, elements go there: edges, triangles, tetrahedra; without, facets and segments go to the input.
+  MeditReader(TextParser parser, Problems& problems, Input& input, Mesh* mesh = nullptr)
+      : parser_(std::move(parser)), problems_(problems), input_(input), mesh_(mesh), faces_(input) {}
 
   void read() {
     const Place start = read_preamble();
@@ -54,6 +56,7 @@ class MeditReader {
     for (Section& section : elements_) read_elements(section);
     problems_.sort_by_line();
     problems_.throw_if_any();
+    if (mesh_ != nullptr) return;
     faces_.finish();
     remark_skipped(start);
   }
@@ -92,14 +95,15 @@ class MeditReader {
                    fmt::format("{} where {} is expected", quoted(parser_.text(0)), keyword));
   }
 
-  static bool is_element(std::string_view keyword) {
+  bool is_element(std::string_view keyword) const {
+    if (mesh_ != nullptr) return keyword == "Edges" || keyword == "Triangles" || keyword == "Tetrahedra";
     return keyword == "Edges" || keyword == "Triangles" || keyword == "Quadrilaterals";
   }
   static bool is_skipped(std::string_view keyword) {
     return std::find(std::begin(skipped), std::end(skipped), keyword) != std::end(skipped);
   }
-  static bool is_keyword(std::string_view text) {
-    return text == "Vertices" || text == "End" || is_element(text) || is_skipped(text);
+  bool is_keyword(std::string_view text) const {
+    return text == "Vertices" || text == "End" || text == "Quadrilaterals" || is_element(text) || is_skipped(text);
   }
 
   /// Notes where the sections are: they may come in any order, and the vertices are needed first.
@@ -162,14 +166,18 @@ class MeditReader {
       std::vector<int> vertices;
       for (std::size_t i = 0; i < corners; ++i) vertices.push_back(section.rows.vertex(i, 1, input_.vertices.size()));
       const int reference = section.rows.integer(corners, "reference");
-      if (corners == 2) {
+      if (mesh_ != nullptr) {
+        if (corners == 2) mesh_->edges.push_back({vertices[0], vertices[1]});
+        if (corners == 3) mesh_->faces.push_back({vertices[0], vertices[1], vertices[2]});
+        if (corners == 4) mesh_->tetrahedra.push_back({vertices[0], vertices[1], vertices[2], vertices[3]});
+      } else if (corners == 2) {
         input_.segments.push_back({{vertices[0], vertices[1]}, reference, section.rows.line()});
       } else if (input_.dimension == 3) {
         faces_.add(std::move(vertices), reference, section.rows.line());
       }
     }
     // In the plane, the edges are the graph; triangles are somebody's mesh of its inside.
-    if (corners > 2 && input_.dimension == 2 && section.count > 0) {
+    if (mesh_ == nullptr && corners > 2 && input_.dimension == 2 && section.count > 0) {
       skipped_.emplace_back(fmt::format("{} {}", section.count, section.keyword));
     }
   }
@@ -189,6 +197,7 @@ class MeditReader {
   TextParser parser_;
   Problems& problems_;
   Input& input_;
+  Mesh* mesh_;
   FaceCollector faces_;
   std::vector<std::string> seen_;
   std::optional<Section> vertices_;
@@ -209,6 +218,19 @@ Input read_medit(const Source& source) {
   MeditReader(TextParser(source.file, source.text, problems), problems, input).read();
   if (input.dimension == 2) input.triangle_soup = false;
   return input;
+}
+
+Mesh read_medit_mesh(const Source& source) {
+  Problems problems;
+  Input input;
+  input.file = source.file;
+  Mesh mesh;
+  mesh.file = source.file;
+  mesh.first_index = 1;
+  MeditReader(TextParser(source.file, source.text, problems), problems, input, &mesh).read();
+  mesh.dimension = input.dimension;
+  for (const InputVertex& vertex : input.vertices) mesh.points.push_back(vertex.position);
+  return mesh;
 }
 
 }  // namespace confidel::io

@@ -70,6 +70,25 @@ std::vector<int> DelaunayTetrahedralization::neighbours(int id) const {
   return result;
 }
 
+std::vector<std::array<int, 4>> DelaunayTetrahedralization::tetrahedra() const {
+  const auto& self = *implementation_;
+  std::vector<std::array<int, 4>> result;
+  for (auto cell = self.triangulation.finite_cells_begin(); cell != self.triangulation.finite_cells_end(); ++cell) {
+    std::array<int, 4> corners{};
+    for (int i = 0; i < 4; ++i) corners[i] = cell->vertex(i)->info();
+    // Even permutations keep the orientation: the least first, then the least of the others.
+    const auto least = std::min_element(corners.begin(), corners.end());
+    if (least != corners.begin()) {
+      std::iter_swap(corners.begin(), least);
+      std::swap(corners[2], corners[3]);
+    }
+    std::rotate(corners.begin() + 1, std::min_element(corners.begin() + 1, corners.end()), corners.end());
+    result.push_back(corners);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 DelaunayTetrahedralization::Face DelaunayTetrahedralization::face(int a, int b, int c) const {
   const auto& self = *implementation_;
   const auto& t = self.triangulation;

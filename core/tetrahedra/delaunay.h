@@ -30,6 +30,9 @@ class DelaunayTetrahedralization {
   /// The present points that an edge joins with id.
   std::vector<int> neighbours(int id) const;
 
+  /// All tetrahedra, positively oriented (orientation(a, b, c, d) = +1), the least id first; in increasing order.
+  std::vector<std::array<int, 4>> tetrahedra() const;
+
   /// Is abc a face? Then above/below are the fourth corners of its two tetrahedra, where the normal (b-a) x (c-a) points and on the
   /// other side; -1: the hull's outside.
   struct Face {

@@ -8,7 +8,7 @@ import sys
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 # A folder of core/ includes only itself and what stands before it.
-LAYERS = ("numbers", "complex", "io", "features", "planar", "tetrahedra", "placement")
+LAYERS = ("numbers", "complex", "io", "features", "planar", "tetrahedra", "placement", "audit")
 CODE = (".h", ".cpp")
 SOURCES = CODE + (".py", ".sh", ".ml", ".v")
 SCRIPTS = ("run", ".ci/run")
