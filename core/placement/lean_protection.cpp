@@ -420,7 +420,7 @@ std::optional<std::array<int, 2>> LeanProtection::split_at(FacetId facet, const 
     const Sector& sector = sectors_[index];
     const Double3 to = approximate_difference(position, complex_.vertices[sector.vertex]);
     const double r = state_.sizes().radius[sector.vertex], away = length(to);
-    if (away > 2 * r) continue;
+    if (away > 1.5 * r) continue;  // the disk of a chord of 60 degrees reaches to 1.37 r
     if (away < r) {
       double angle = std::atan2(dot(to, sector.y), dot(to, sector.x));
       if (angle < 0) angle += 2 * std::numbers::pi;
@@ -449,7 +449,14 @@ std::optional<std::array<int, 2>> LeanProtection::split_at(FacetId facet, const 
   for (const auto& [s, k] : sheets_of_facet_[facet]) {
     const Sheet& sheet = sheets_[s][k];
     const auto& row = stations_[s];
-    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+    // Strip and disk of an interval lie between the normals at its ends: only one interval is asked, and its neighbours for roundings.
+    const Double3 whole = approximate_difference(state_.point(row.back()), state_.point(row.front()));
+    std::size_t low = 0, high = row.size() - 1;
+    while (high - low > 1) {
+      const std::size_t middle = (low + high) / 2;
+      (dot(approximate_difference(position, state_.point(row[middle])), whole) < 0 ? high : low) = middle;
+    }
+    for (std::size_t i = low > 0 ? low - 1 : 0; i <= low + 1 && i + 1 < row.size(); ++i) {
       // The strip: between the segment and the chord, from station to station.
       const Double3 along = approximate_difference(state_.point(row[i + 1]), state_.point(row[i])),
                     up = approximate_difference(state_.point(sheet.points[i]), state_.point(row[i])),

@@ -129,8 +129,16 @@ void LeanRefinement::repair(FacetId f, const Triangle& t, LeanState::State state
   if (!std::isfinite(radius)) throw LeanGivesUp("a triangle is too thin for its circumcentre");
   const PlaneFrame& frame = state_.frame(f);
   const Point& origin = complex_.vertices[complex_.facets[f].frame[0]];
-  Point centre = radius > 0x1p-36 ? frame.round(origin, approximate_difference(a, origin) + z, radius * rounding)
-                                  : frame.round(a, z, radius * rounding);
+  Double3 offset = z;
+  double tolerance = radius * rounding;
+  // A point that hovers closely over the triangle: with a point right below, both facets have spheres on their far sides, where any other
+  // point would have to come as close as the facets are.
+  if (!state_.flat())
+    if (const auto hovering = state_.hovering(t)) {
+      offset = hovering->foot;
+      tolerance = std::min(tolerance, std::max(hovering->height * hovering->height / (8 * radius), radius * 0x1p-16));
+    }
+  Point centre = radius > 0x1p-36 ? frame.round(origin, approximate_difference(a, origin) + offset, tolerance) : frame.round(a, offset, tolerance);
   const auto walk = state_.planar(f).walk(t, centre);
   if (!walk.reached) {
     if (walk.constraint[0] < 0) throw LeanGivesUp("a circumcentre cannot be located");

@@ -19,7 +19,7 @@ std::uint64_t key(int a, int b) {
 LeanState::LeanState(const Complex& complex, const Features& features, const Limits& limits, Progress& progress)
     : complex_(complex), sizes_(graded_sizes(complex, features)), limits_(limits), progress_(progress), index_(make_index()) {
   const long entities = static_cast<long>(complex.vertices.size() + complex.segments.size() + complex.facets.size());
-  budget_ = 20000 + 128 * entities;
+  budget_ = 40000 + 128 * entities;
   early_ = 256 + 8 * entities;
   build();
 }

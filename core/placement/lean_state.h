@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <queue>
 #include <stdexcept>
 #include <tuple>
@@ -84,6 +85,13 @@ class LeanState {
   double circumradius(const Triangle& triangle) const;
   /// Do the given points alone leave the triangle no empty sphere, by a margin that floating point can vouch for?
   bool clearly_unsupported(const Triangle& triangle, const std::vector<int>& points) const;
+  /// A point of another facet that hovers closely over the middle of an unsupported triangle: where below it, seen from the triangle's
+  /// first corner, and how high. Steering only.
+  struct Hovering {
+    Double3 foot;
+    double height;
+  };
+  std::optional<Hovering> hovering(const Triangle& triangle) const;
 
   // --- changes; what they spoil is queued by settle() ---
   /// Inserts a point into a segment's chain, and into every facet of it.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is supported: exact tests of triangles and of segments' pieces.
+#include <algorithm>
 #include <cmath>
 
 #include "core/placement/lean_state.h"
@@ -102,6 +103,44 @@ bool LeanState::clearly_unsupported(const Triangle& t, const std::vector<int>& p
   }
   if (low == -1e300 || high == 1e300) return false;
   return low > high + margin * (length(z) + std::abs(low) + std::abs(high));
+}
+
+std::optional<LeanState::Hovering> LeanState::hovering(const Triangle& t) const {
+  // Lower than this part of the radius, and farther than that from the corners.
+  constexpr double low = 0.1, far = 0.3;
+  const Point& a = point(t[0]);
+  const Double3 u = approximate_difference(point(t[1]), a), w = approximate_difference(point(t[2]), a), n = cross(u, w);
+  const double nn = dot(n, n), size = std::sqrt(nn);
+  const Double3 z = (dot(u, u) / (2 * nn)) * cross(w, n) + (dot(w, w) / (2 * nn)) * cross(n, u);
+  const double radius = length(z);
+  std::vector<int> around;
+  for (int id : t) {
+    const auto more = tetrahedra_.neighbours(id);
+    around.insert(around.end(), more.begin(), more.end());
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  // The points that bound the pencil from either side.
+  struct Bound {
+    double parameter = 1e300, height = 0;
+    Double3 foot{};
+  } bounds[2];
+  for (int id : around) {
+    if (id == t[0] || id == t[1] || id == t[2]) continue;
+    const Double3 d = approximate_difference(point(id), a);
+    const double height = dot(n, d) / size;
+    if (height == 0) continue;
+    const double parameter = (dot(d, d) - 2 * dot(z, d)) / (2 * std::abs(height));
+    Bound& bound = bounds[height > 0 ? 0 : 1];
+    if (parameter < bound.parameter) bound = {parameter, std::abs(height), d - (height / size) * n};
+  }
+  std::optional<Hovering> result;
+  for (const Bound& bound : bounds) {
+    if (bound.parameter >= 0 || bound.height > low * radius || (result && result->height <= bound.height)) continue;
+    const double least = std::min({length(bound.foot), length(bound.foot - u), length(bound.foot - w)});
+    if (least >= far * radius) result = Hovering{bound.foot, bound.height};
+  }
+  return result;
 }
 
 double LeanState::circumradius(const Triangle& t) const {
