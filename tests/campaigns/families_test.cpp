@@ -6,6 +6,8 @@
 #include <fstream>
 #include <set>
 
+#include <unistd.h>
+
 #include "campaigns/instance.h"
 #include "core/complex/build.h"
 #include "core/io/read.h"
@@ -34,7 +36,7 @@ std::vector<std::vector<int>> corners_of(const Input& input) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(families)
+BOOST_AUTO_TEST_SUITE(input_families)
 
 BOOST_AUTO_TEST_CASE(the_generator_is_the_standard_s) {
   // [rand.predef]: the 10000th word of a default-constructed mt19937_64; its seed is 5489.

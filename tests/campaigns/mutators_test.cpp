@@ -29,7 +29,7 @@ std::array<std::size_t, 3> counts(const Input& input) {
 
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(mutators)
+BOOST_AUTO_TEST_SUITE(input_mutators)
 
 BOOST_AUTO_TEST_CASE(every_mutator_applies_somewhere_and_keeps_inputs_valid) {
   std::map<std::string, int> applied;
@@ -51,10 +51,16 @@ BOOST_AUTO_TEST_CASE(exact_maps_keep_the_complex) {
       const auto before = counts(input);
       BOOST_CHECK(counts(permuted(input, random)) == before);
       BOOST_CHECK(counts(with_permuted_axes(input, random)) == before);
-      if (const auto image = rotated(input, random)) BOOST_CHECK(counts(*image) == before), ++rotations;
+      if (const auto image = rotated(input, random)) {
+        BOOST_CHECK(counts(*image) == before);
+        ++rotations;
+      }
       if (const auto image = scaled(input, 17)) BOOST_CHECK(counts(*image) == before);
       const auto both = far_union(input, input, random);
-      if (both && input.dimension == 3) BOOST_CHECK((counts(*both) == std::array{2 * before[0], 2 * before[1], 2 * before[2]})), ++unions;
+      if (both && input.dimension == 3) {
+        BOOST_CHECK((counts(*both) == std::array{2 * before[0], 2 * before[1], 2 * before[2]}));
+        ++unions;
+      }
     }
   }
   BOOST_CHECK_GE(rotations, 20);
