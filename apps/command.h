@@ -32,6 +32,7 @@ void add_info(CLI::App& app, Selection& selection);
 void add_canonical(CLI::App& app, Selection& selection);
 void add_conform(CLI::App& app, Selection& selection);
 void add_draw(CLI::App& app, Selection& selection);
+void add_lemma(CLI::App& app, Selection& selection);
 
 /// The options that decide what complex an input is: the same for every subcommand that reads one.
 void add_build_options(CLI::App& command, BuildOptions& options);

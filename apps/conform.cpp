@@ -29,7 +29,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ConformOptions {
-  std::string file, output, strategy = "lean", beta;
+  std::string file, output, strategy = "lean", beta, claims;
   double max_circumradius = 0;  ///< exactly this double; 0: no bound
   GlobalRule rule;  ///< of paper and repaired
   BuildOptions build;
@@ -214,6 +214,13 @@ int run_conform(const ConformOptions& options) {
     fmt::print(stderr, "confidel: {}\n", failure.what());
     return undecided(run, "strategy-failed", 0);
   }
+  // Lean's own are what `conforms` consists of: its certificates stay within what every checker knows.
+  if (!placement.refutation && (options.claims == "conforms" || (options.claims.empty() && options.strategy == "lean"))) {
+    placement.claims.clear();
+    placement.parameters = Parameters();
+    placement.insertions.clear();
+  }
+  run.report["claims"] = placement.claims;
   run.finish_stage("placement");
   run.meter.at("writing", static_cast<long>(placement.points.size()));
   {
@@ -264,6 +271,9 @@ void add_conform(CLI::App& app, Selection& selection) {
       ->option_text("P/Q");
   command->add_option("--max-circumradius", options->max_circumradius, "Planar inputs with --strategy repaired or paper: no circumradius is greater (Theorem 2.1)")
       ->check(CLI::PositiveNumber);
+  command->add_option("--claims", options->claims,
+                      "lemmas: claim every lemma that holds for the strategy (default, but not of lean); conforms: claim conformity only, which confidel-check-verified knows too")
+      ->check(CLI::IsMember({"lemmas", "conforms"}));
   command->add_option("--max-points", options->max_points, "UNDECIDED when more points are needed; 0: no limit")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("--time-limit", options->time_limit, "UNDECIDED after this time, such as 90, 90s or 5m")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE));

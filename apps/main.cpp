@@ -21,6 +21,7 @@ int run_command_line(int argc, char** argv) {
   add_canonical(app, selection);
   add_conform(app, selection);
   add_draw(app, selection);
+  add_lemma(app, selection);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

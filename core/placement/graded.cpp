@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/placement/estimate.h"
+#include "core/placement/local_claims.h"
 #include "core/placement/open_hull.h"
 #include "core/placement/point_index.h"
 #include "core/placement/sphere.h"
@@ -49,7 +50,7 @@ constexpr double estimate_margin = 2;
 class Refinement {
  public:
   Refinement(const Complex& complex, const Features& features, const Limits& limits, Progress& progress)
-      : complex_(complex), limits_(limits), progress_(progress), sizes_(graded_sizes(complex, features)), zones_(complex, sizes_), all_(make_index()) {
+      : complex_(complex), features_(features), limits_(limits), progress_(progress), sizes_(graded_sizes(complex, features)), zones_(complex, sizes_), all_(make_index()) {
     for (const Facet& facet : complex.facets) {
       projections_.push_back(projection_of(facet.normal));
       double reach = 0;
@@ -68,7 +69,9 @@ class Refinement {
     }
     if (!estimated_) progress_.estimated(zones_.point_count());
     check_static_cells();
-    return zones_.result();
+    Placement placement = zones_.result();
+    claim_local(complex_, features_, sizes_, placement);
+    return placement;
   }
 
  private:
@@ -273,6 +276,7 @@ class Refinement {
   }
 
   const Complex& complex_;
+  const Features& features_;
   const Limits& limits_;
   Progress& progress_;
   const BufferSizes sizes_;

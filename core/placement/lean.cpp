@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/placement/graded.h"
+#include "core/placement/local_claims.h"
 #include "core/placement/pencil.h"
 #include "core/placement/point_index.h"
 #include "core/planar/facet_triangulation.h"
@@ -565,6 +566,7 @@ Placement place_lean(const Complex& complex, const Features& features, const Lim
   try {
     Lean lean(complex, features, limits, progress);
     Placement placement = lean.run(told);
+    claim_conformity(placement);
     progress.estimated(static_cast<double>(placement.points.size()));
     return placement;
   } catch (const NeedsProtection& reason) {

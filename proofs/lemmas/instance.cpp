@@ -106,6 +106,8 @@ void Instance::derive() {
   if (const int cell = pair_boxes(); cell >= 0) wrong(cell);
   for (std::size_t i = 0; i < end_cells.size(); ++i) end_of_cell_[end_cells[i].cell] = static_cast<int>(i);
   for (std::size_t i = 0; i < spoke_cells.size(); ++i) spoke_of_cell_[spoke_cells[i].cell] = static_cast<int>(i);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (const int cell : boxes[i].cells) box_of_cell_[cell] = static_cast<int>(i);
   for (const EndCell& end : end_cells)
     if (end.opens && closing_cell(end) < 0) wrong(end.cell);
   for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -184,6 +186,11 @@ int Instance::pair_boxes() {
     boxes.push_back(box);
   }
   return -1;
+}
+
+int Instance::box_of(int cell) const {
+  const auto place = box_of_cell_.find(cell);
+  return place == box_of_cell_.end() ? -1 : place->second;
 }
 
 int Instance::closing_cell(const EndCell& opening) const {

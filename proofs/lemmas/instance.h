@@ -43,8 +43,8 @@ class Instance {
  public:
   /// The lines of records in a certificate; empty where there is none.
   struct Lines {
-    std::vector<int> points, cells, segments, rows, balls, row_sizes, insertions;
-    int radius = 0;
+    std::vector<int> points, cells, segments, facets, rows, hanging, balls, row_sizes, insertions;
+    int radius = 0, angle = 0, chord = 0;
   };
 
   int dimension = 3;
@@ -83,6 +83,8 @@ class Instance {
   int cell_with_edge(FacetId facet, int from, int to) const;
   /// By vertex: the cells that have it as a corner.
   const std::vector<int>& cells_at(VertexId vertex) const { return cells_at_[vertex]; }
+  /// Index into boxes of an R cell, or -1.
+  int box_of(int cell) const;
   /// Index into end_cells of the closing cell of an opening one's fan.
   int closing_cell(const EndCell& opening) const;
 
@@ -105,7 +107,7 @@ class Instance {
   std::vector<std::vector<FacetId>> facets_at_;
   std::vector<std::vector<int>> cells_at_;
   std::vector<std::unordered_map<std::uint64_t, int>> edges_;  // by facet
-  std::unordered_map<int, int> end_of_cell_, spoke_of_cell_;
+  std::unordered_map<int, int> end_of_cell_, spoke_of_cell_, box_of_cell_;
 };
 
 /// with_points = false: enough to count objects, without the positions of the Steiner points.

@@ -11,6 +11,26 @@
 
 namespace confidel {
 
+class Tally;
+
+/// What was found on one instance.
+struct LemmaResult {
+  long objects = 0;
+  long failures = 0;  ///< objects on which the statement does not hold
+  /// Where it fails first, and where the slack is smallest: words joined by `-`, and the line in the certificate (0: unknown).
+  struct Place {
+    std::string object;
+    int line = 0;
+  };
+  std::optional<Place> failure;
+  struct Slack {
+    double rounded = 0;
+    std::optional<mpq_class> exact;  ///< absent where it is no rational number
+    Place place;
+  };
+  std::optional<Slack> slack;  ///< absent: nothing to compare
+};
+
 struct Lemma {
   const char* id;
   const char* statement;
@@ -20,6 +40,7 @@ struct Lemma {
   bool needs_kinds;  ///< speaks of cells T, S, R, C: meaningless where Instance::wrong_kind >= 0
   /// How many objects the claim ranges over. Cheap; needs no positions of Steiner points.
   long (*count)(const Instance&);
+  void (*evaluate)(const Instance&, Tally&);
 };
 
 /// In the order in which certificates claim them.
@@ -27,5 +48,20 @@ const std::vector<Lemma>& all_lemmas();
 
 /// Throws std::out_of_range if there is none.
 const Lemma& find_lemma(const std::string& id);
+
+/// Thrown when a claim needs a parameter that the instance has not (the name, as in lemma-claims.md section 3).
+class MissingParameter : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Thrown by evaluate when the cells are not of their kinds and the statement needs it.
+class WrongKind : public std::runtime_error {
+ public:
+  explicit WrongKind(int cell) : std::runtime_error("a cell is not of its kind"), cell(cell) {}
+  int cell;
+};
+
+/// Exact. Pre: the instance is well-formed as certificate-format.md section 5, rules `complex` to `box`, wants it.
+LemmaResult evaluate(const Lemma& lemma, const Instance& instance);
 
 }  // namespace confidel

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The instance that a certificate describes, with its claims.
+#pragma once
+
+#include "proofs/certificate/reader.h"
+#include "proofs/lemmas/instance.h"
+
+namespace confidel {
+
+struct ClaimedLemma {
+  std::string id;
+  long count = 0;
+  int line = 0;
+};
+
+struct CertificateInstance {
+  Instance instance;
+  std::vector<ClaimedLemma> claims;  ///< besides `conforms`
+  std::string refutes;               ///< the statement that the certificate refutes, or ""
+};
+
+/// Throws InputError where the text is no certificate, or where what lemmas take for granted does not hold (cells with collinear corners,
+/// boundary edges that are no segments, points that coincide): such certificates are for confidel-check to reject.
+CertificateInstance instance_of(const Certificate& certificate);
+
+}  // namespace confidel
