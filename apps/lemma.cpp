@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// confidel lemma list | check: the paper's statements, and what of them holds in a certificate. For readers: the verdict is confidel-check's.
+// confidel lemma list | check | --kernel algebraic: the paper's statements, what of them holds in a certificate, and what only square roots
+// can decide. For readers: the verdict is confidel-check's.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/command.h"
+#include "proofs/lemmas/algebraic.h"
 #include "proofs/lemmas/certificate_instance.h"
 #include "proofs/lemmas/lemma.h"
 
@@ -16,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct LemmaOptions {
-  std::string id, file;
+  std::string id, file, kernel = "rational";
   bool json = false;
 };
 
@@ -119,12 +121,53 @@ int check_lemmas(const LemmaOptions& options) {
   return good ? exit_success : exit_refuted;
 }
 
+/// What only roots can decide. Exit 1 if anything did not come out as the page says.
+int decide_algebraically(const LemmaOptions& options) {
+  bool good = true;
+  Json list = Json::array();
+  for (const AlgebraicResult& result : decide_extremal_statements()) {
+    good = good && result.holds;
+    if (options.json)
+      list.push_back({{"id", result.id}, {"statement", result.statement}, {"settles", result.settles}, {"comparisons", result.comparisons}, {"holds", result.holds}});
+    else
+      fmt::print("{}: {} ({} exact comparisons)\n  {}\n  settles {}\n", result.id, result.holds ? "holds" : "FAILS", result.comparisons, result.statement, result.settles);
+  }
+  const AlgebraicCorner corner = tetrahedron_corner();
+  const std::pair<const char*, bool> facts[] = {{"H-ball with |p-v| = r", corner.on_sphere}, {"L1 with b = h", corner.spacing_is_h}, {"right angles at m", corner.right_angles},
+                                                {"L9", corner.end_cells_empty}, {"L10", corner.spokes_miss_caps}, {"L11", corner.spokes_empty}};
+  Json of_corner{{"points", corner.points}, {"T", corner.end_cells}, {"S", corner.spoke_cells}};
+  std::string text;
+  for (const auto& [name, holds] : facts) {
+    good = good && holds;
+    of_corner[name] = holds;
+    text += fmt::format("  {}: {}\n", name, holds ? "holds" : "FAILS");
+  }
+  of_corner["slack"] = {{"L9", corner.end_cell_slack}, {"L10", corner.cap_slack}, {"L11", corner.spoke_slack}};
+  if (options.json)
+    fmt::print("{}\n", Json{{"good", good}, {"statements", list}, {"tetrahedron_corner", of_corner}}.dump(2));
+  else
+    fmt::print("A vertex of the regular tetrahedron, arc points exactly on the sphere ({} points, {} cells T, {} cells S):\n{}  smallest P/R^2: L9 {:.6g}, L10 {:.6g}, L11 {:.6g}\n",
+               corner.points, corner.end_cells, corner.spoke_cells, text, corner.end_cell_slack, corner.cap_slack, corner.spoke_slack);
+  return good ? exit_success : exit_refuted;
+}
+
 }  // namespace
 
 void add_lemma(CLI::App& app, Selection& selection) {
   auto options = std::make_shared<LemmaOptions>();
   CLI::App* command = app.add_subcommand("lemma", "The paper's statements, and what of them holds in a certificate");
-  command->require_subcommand(1);
+  command->require_subcommand(0, 1);
+  command->add_option("--kernel", options->kernel, "algebraic: instead of a certificate, the extremal statements that need square roots, decided exactly")
+      ->check(CLI::IsMember({"rational", "algebraic"}));
+  command->add_flag("--json", options->json, "One JSON document");
+  command->callback([command, options, &selection] {
+    if (options->kernel == "algebraic" && command->get_subcommands().empty())
+      selection.run = [options] { return decide_algebraically(*options); };
+    else if (options->kernel == "algebraic")
+      throw CLI::ValidationError("--kernel algebraic", "takes no command: its statements are about the paper's constants, not about a certificate");
+    else if (command->get_subcommands().empty())
+      throw CLI::CallForHelp();
+  });
   CLI::App* list = command->add_subcommand("list", "Every statement that can be tested: where it is in the paper, what it needs, its exact form");
   list->add_flag("--json", options->json, "A JSON array");
   list->callback([options, &selection] { selection.run = [options] { return list_lemmas(*options); }; });

@@ -141,6 +141,25 @@ def test_command(programs, folder):
             programs.expect(sum(line.startswith("claim ") for line in file) == claims, "%s: not %d claims" % (options, claims))
 
 
+def test_algebraic(programs, folder):
+    """Exact roots against what rational points leave of the same slacks: placements round within a small part of h."""
+    code, out, err = programs.run("lemma", "--kernel", "algebraic", "--json")
+    if not programs.expect(code == 0, "lemma --kernel algebraic: exit %d, %s" % (code, err)):
+        return
+    report = json.loads(out)
+    programs.expect(report["good"] and len(report["statements"]) == 7 and all(s["holds"] and s["comparisons"] > 3 for s in report["statements"]), "extremal statements")
+    certificate = os.path.join(folder, "repaired.cert")
+    if programs.expect_verified("tetrahedron, repaired", os.path.join(EXAMPLES, "tetrahedron.off"), certificate, "--strategy", "repaired") is None:
+        return
+    compare(programs, "tetrahedron, repaired", certificate)
+    code, out, _ = programs.run("lemma", "check", "all", certificate, "--json")
+    slacks = {entry["id"]: entry.get("slack") for entry in json.loads(out)["lemmas"]}
+    for lemma, exact in report["tetrahedron_corner"]["slack"].items():
+        print("%s at the tetrahedron's vertices: %.6f with exact roots, %.6f with rational points" % (lemma, exact, slacks[lemma]))
+        programs.expect(abs(slacks[lemma] - exact) <= 1e-2 * exact, "%s: slack %s with exact roots, %s with rational points" % (lemma, exact, slacks[lemma]))
+    programs.expect(programs.run("lemma", "--kernel", "algebraic", "list")[0] == 2, "--kernel algebraic with a command")
+
+
 def main():
     programs = Programs(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
@@ -148,6 +167,7 @@ def main():
         test_manifest(programs)
         test_failures(programs, folder)
         test_command(programs, folder)
+        test_algebraic(programs, folder)
     programs.finish()
 
 
