@@ -84,7 +84,7 @@ void read_parameters(const Certificate& certificate, Instance& instance) {
       int& parameter = word == "beta" ? parameters.beta : word == "offset" ? parameters.offset : parameters.chord;
       parameter = fields.index(1, 1 << 16);
       if (parameter == 0) fields.stop("E-VALUE", word + " is at least 1");
-      if (word == "chord") instance.lines.chord = line.line;
+      (word == "chord" ? instance.lines.chord : instance.lines.offset) = line.line;
     } else if (word == "ball") {
       fields.need(3);
       parameters.balls.push_back({fields.index(1, certificate.vertex_count), fields.positive(2)});

@@ -90,14 +90,14 @@ void boxes_empty(const Instance& instance, Tally& tally) {
 void other_cells_empty(const Instance& instance, Tally& tally) {
   const Space space(instance);
   const PointIndex all = space.index(any);
-  const bool global = instance.parameters.radius.has_value();
-  if (global && !instance.parameters.spacing) throw MissingParameter("h");
+  const bool bounded = instance.parameters.spacing.has_value();
+  if (instance.parameters.radius && !bounded) throw MissingParameter("h");
   for (std::size_t c = 0; c < instance.cells.size(); ++c) {
     if (instance.cells[c].kind != CellKind::C) continue;
     const int cell = static_cast<int>(c);
     const int point = test_cell(space, all, cell, -1, false, tally);
     bool small = true;
-    if (global) {
+    if (bounded) {
       const Sphere sphere(space, cell);
       const mpq_class ratio = 289 * square(*instance.parameters.spacing) / (256 * sphere.squared_radius());
       small = ratio >= 1;

@@ -44,7 +44,7 @@ class Instance {
   /// The lines of records in a certificate; empty where there is none.
   struct Lines {
     std::vector<int> points, cells, segments, facets, rows, hanging, balls, row_sizes, insertions;
-    int radius = 0, angle = 0, chord = 0;
+    int radius = 0, angle = 0, offset = 0, chord = 0;
   };
 
   int dimension = 3;

@@ -38,20 +38,20 @@ void offset(const Instance& instance, Tally& tally) {
   const bool local = !parameters.balls.empty() || !parameters.rows.empty();
   std::vector<std::array<signed char, 2>> known(instance.segments.size(), {-1, -1});  // the bounds of an end are the same for all its cells
   mpq_class bound;
-  bool angles = true;
   if (!local) {
     need(parameters.radius, "r");
     const auto [multiple, cosine] = need_angle(instance);
     if (parameters.beta == 0 && parameters.offset == 0) throw MissingParameter("beta");
     const int j = parameters.beta > 0 ? parameters.beta : parameters.offset;
     bound = square(cosine_of_multiple(j, cosine));
-    angles = multiple_below_pi(multiple, cosine) && (parameters.beta > 0 ? 2 : 4) * j <= multiple;
+    // On parameters alone: once, whether or not there are cells.
+    if (!multiple_below_pi(multiple, cosine) || (parameters.beta > 0 ? 2 : 4) * j > multiple) tally.fail(instance.lines.offset, fmt::format("{}-{}", parameters.beta > 0 ? "beta" : "offset", j));
   }
   for (const EndCell& end : instance.end_cells) {
     const SegmentId segment = instance.carriers[end.m];
     const mpq_class height = squared(minus(positions[end.a], positions[end.m])), length = squared(minus(positions[end.a], positions[end.v]));
     const int line = line_of(instance.lines.cells, end.cell);
-    bool good = angles;
+    bool good = true;
     if (local) {
       const Parameters::Row& row = need_row(instance, segment);
       const mpq_class& radius = need_ball(instance, end.v);
@@ -61,10 +61,10 @@ void offset(const Instance& instance, Tally& tally) {
       good = bounds == 1 && 15 * d <= 16 * height && 16 * height <= 17 * d && 4 * d <= square(radius);
     } else if (parameters.beta > 0) {
       const mpq_class reach = (length - height) / length;  // (|m-v| / |a-v|)^2: the angle at m is right
-      good = good && reach >= bound;
+      good = reach >= bound;
       tally.slack(mpq_class(reach - bound), line, [&] { return cell_name(end.cell); });
     } else {
-      good = good && height <= 4 * square(*parameters.radius) * (1 - bound);
+      good = height <= 4 * square(*parameters.radius) * (1 - bound);
     }
     if (!good) tally.fail(line, cell_name(end.cell));
   }

@@ -11,6 +11,7 @@ void tilt(const Instance& instance, Tally& tally) {
   const auto [multiple, cosine] = need_angle(instance);
   if (instance.dimension == 2) return;
   const mpq_class bound = cosine_of_multiple(multiple, cosine), squared_bound = 1 - square(bound);
+  const bool acute = multiple_below_pi(multiple, cosine) && bound > 0;
   for (VertexId v = 0; v < instance.vertex_count; ++v)
     for (const SegmentId segment : instance.segments_at(v)) {
       const RationalVector u = minus(instance.positions[instance.other_end(segment, v)], instance.positions[v]);
@@ -21,8 +22,8 @@ void tilt(const Instance& instance, Tally& tally) {
         const mpq_class sine = squared_sine(instance, facet, u);
         const auto place = [&] { return fmt::format("vertex-{}-segment-{}-facet-{}", v, segment, facet); };
         const int line = line_of(instance.lines.cells, cell);
-        if (bound <= 0 || sine < squared_bound) tally.fail(line, place());
-        tally.slack(mpq_class(sine / squared_bound - 1), line, place);
+        if (!acute || sine < squared_bound) tally.fail(line, place());
+        if (squared_bound > 0) tally.slack(mpq_class(sine / squared_bound - 1), line, place);
       }
     }
 }

@@ -20,22 +20,22 @@ def compare(programs, name, certificate):
     """Both tables; the verdicts of the claims agree, and what was counted. Returns the checker's exit code, or None if it ended early."""
     code, out, _ = programs.run(certificate, "--json", program=programs.checker)
     checker = json.loads(out)
+    rule = checker.get("rule")
     ours_code, out, err = programs.run("lemma", "check", "all", certificate, "--json")
     if not programs.expect(ours_code in (0, 1), "%s: lemma check ends with %d: %s" % (name, ours_code, err[-300:])):
         return code
     ours = {entry["id"]: entry for entry in json.loads(out)["lemmas"]}
     for claim in checker.get("claims", []):
-        if claim["id"] not in ours or claim["failures"]:
+        if claim["id"] == rule:  # rejected: it ended there
             continue
         own = ours[claim["id"]]
         programs.expect(own["claimed"] and own.get("objects") == claim["objects"] and own.get("failures") == 0, "%s, %s: %s, the checker %s" % (name, claim["id"], own, claim))
         one, other = own.get("slack"), claim["slack"]
-        same = (one is None) == (other is None) and (one is None or abs(one - other) <= 1e-3 * max(abs(one), abs(other)))
+        # Slacks are rounded: the checker's below 1e-12 are rounding alone.
+        same = (one is None) == (other is None) and (one is None or abs(one - other) <= max(1e-12, 1e-3 * max(abs(one), abs(other))))
         programs.expect(same, "%s, %s: slack %s, the checker %s" % (name, claim["id"], one, other))
     if code == 0:
         programs.expect(ours_code == 0, "%s: verified, but lemma check ends with %d" % (name, ours_code))
-    rule = checker["verdict"].split(" ")
-    rule = rule[2] if rule[:2] == ["s", "REJECTED"] else rule[1] if rule[0] == "REJECTED" else ""
     if rule in LEMMAS:
         entry = ours[rule]
         programs.expect(entry["verdict"] != "holds", "%s: the checker rejects %s, lemma check says that it holds" % (name, rule))
@@ -49,7 +49,9 @@ def test_examples(programs, folder):
             continue
         with open(certificate) as file:
             claims = [line.split()[1] for line in file if line.startswith("claim ")]
-        programs.expect(claims == ["conforms"] + GRADED, "%s: claims %s" % (example, claims))
+        # Vertices that lie alone in a facet are corners of C cells: the lemmas on kinds are not about these.
+        lonely = example in ("courtyard.poly", "facet-parts.poly", "star-1.poly")
+        programs.expect(set(claims) >= {"conforms", "L18", "L18b", "L19", "L22"} if lonely else claims == ["conforms"] + GRADED, "%s: claims %s" % (example, claims))
         compare(programs, example, certificate)
 
 
@@ -110,7 +112,7 @@ def test_failures(programs, folder):
     spoil("count", replace("claim L9 ", lambda line: "claim L9 %d" % (int(line.split(" ")[2]) + 1)), "L9")
     # delta_v / 3 is attained: a ball larger by 2^-38 is too large.
     spoil("ball", replace("ball ", lambda line: scaled(line, 2, 2**38 + 1, 2**38)), "L21")
-    spoil("ball-far", replace("ball ", lambda line: scaled(line, 2, 33, 32)), "H-ball")
+    spoil("ball-far", replace("ball ", lambda line: scaled(line, 2, 17, 16)), "H-ball")
     spoil("row", replace("row ", lambda line: scaled(line, 2, 32, 33)), "H-offset")
 
 
