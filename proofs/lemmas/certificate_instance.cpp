@@ -34,10 +34,10 @@ class Fields {
   const std::string& text(std::size_t field) const { return fields_[field]; }
   int index(std::size_t field, std::size_t below) const {
     const std::string& text = fields_[field];
-    if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos) stop("E-SYNTAX", text + " is no index");
-    const int value = std::stoi(text);
-    if (static_cast<std::size_t>(value) >= below) stop("E-RANGE", fmt::format("{} is out of range: it must be below {}", text, below));
-    return value;
+    if (text.empty() || text.size() > 10 || text.find_first_not_of("0123456789") != std::string::npos) stop("E-SYNTAX", text + " is no index");
+    const std::size_t value = std::stoull(text);
+    if (value >= below) stop("E-RANGE", fmt::format("{} is out of range: it must be below {}", text, below));
+    return static_cast<int>(value);
   }
   mpq_class rational(std::size_t field) const {
     const std::string& text = fields_[field];
@@ -82,7 +82,7 @@ void read_parameters(const Certificate& certificate, Instance& instance) {
     } else if (word == "beta" || word == "offset" || word == "chord") {
       fields.need(2);
       int& parameter = word == "beta" ? parameters.beta : word == "offset" ? parameters.offset : parameters.chord;
-      parameter = fields.index(1, 1 << 16);
+      parameter = fields.index(1, 1U << 31);
       if (parameter == 0) fields.stop("E-VALUE", word + " is at least 1");
       (word == "chord" ? instance.lines.chord : instance.lines.offset) = line.line;
     } else if (word == "ball") {
@@ -243,6 +243,7 @@ CertificateInstance instance_of(const Certificate& certificate) {
   read_claims(certificate, result);
   read_parameters(certificate, instance);
   read_evidence(certificate, instance);
+  instance.whole = result.refutes.empty();
   Preconditions(certificate, instance).test();
   instance.derive();
   return result;

@@ -61,8 +61,12 @@ void chord(const Instance& instance, Tally& tally) {
   const auto [multiple, cosine] = need_angle(instance);
   const int j = instance.parameters.chord;
   if (j == 0) throw MissingParameter("chord");
+  if (4L * j > multiple || !multiple_below_pi(multiple, cosine)) {
+    tally.fail(instance.lines.chord, fmt::format("chord-{}", j));
+    return;
+  }
   const mpq_class bound = 4 * square(r) * (1 - square(cosine_of_multiple(j, cosine)));
-  if (4 * j > multiple || !multiple_below_pi(multiple, cosine) || square(h) > bound) tally.fail(instance.lines.chord, "chord");
+  if (square(h) > bound) tally.fail(instance.lines.chord, fmt::format("chord-{}", j));
   tally.slack(mpq_class(bound / square(h) - 1), instance.lines.chord, [] { return "chord"; });
 }
 

@@ -109,7 +109,7 @@ void Instance::derive() {
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (const int cell : boxes[i].cells) box_of_cell_[cell] = static_cast<int>(i);
   for (const EndCell& end : end_cells)
-    if (end.opens && closing_cell(end) < 0) wrong(end.cell);
+    if (whole && end.opens && closing_cell(end) < 0) wrong(end.cell);
   for (std::size_t c = 0; c < cells.size(); ++c) {
     if (cells[c].kind != CellKind::C) continue;
     for (int k = 0; k < 3; ++k) {

@@ -60,6 +60,7 @@ class Instance {
   Parameters parameters;
   std::vector<Insertion> insertions;
   Lines lines;
+  bool whole = true;  ///< false in a refutation, whose cells do not cover facets: fans may be open
 
   /// What follows is derived by this; to be called once, when the above is complete.
   void derive();

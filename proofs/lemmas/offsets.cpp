@@ -43,9 +43,12 @@ void offset(const Instance& instance, Tally& tally) {
     const auto [multiple, cosine] = need_angle(instance);
     if (parameters.beta == 0 && parameters.offset == 0) throw MissingParameter("beta");
     const int j = parameters.beta > 0 ? parameters.beta : parameters.offset;
+    // On parameters alone: once, whether or not there are cells; then J has no bound, and cells are not tested.
+    if (!multiple_below_pi(multiple, cosine) || (parameters.beta > 0 ? 2L : 4L) * j > multiple) {
+      tally.fail(instance.lines.offset, fmt::format("{}-{}", parameters.beta > 0 ? "beta" : "offset", j));
+      return;
+    }
     bound = square(cosine_of_multiple(j, cosine));
-    // On parameters alone: once, whether or not there are cells.
-    if (!multiple_below_pi(multiple, cosine) || (parameters.beta > 0 ? 2 : 4) * j > multiple) tally.fail(instance.lines.offset, fmt::format("{}-{}", parameters.beta > 0 ? "beta" : "offset", j));
   }
   for (const EndCell& end : instance.end_cells) {
     const SegmentId segment = instance.carriers[end.m];

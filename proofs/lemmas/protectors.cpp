@@ -13,6 +13,7 @@ void protectors_apart(const Instance& instance, Tally& tally) {
   for (const EndCell& opening : instance.end_cells) {
     if (!opening.opens) continue;
     const int index = instance.closing_cell(opening);
+    if (index < 0) continue;  // in a refutation only
     const EndCell& closing = instance.end_cells[index];
     const RationalVector& n = instance.normal(instance.cells[opening.cell].facet);
     const auto turn = [&](int from, int to) { return dot(n, cross(minus(p[from], p[opening.v]), minus(p[to], p[opening.v]))); };

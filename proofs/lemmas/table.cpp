@@ -40,7 +40,7 @@ const std::vector<Lemma> table{
     {"L14", "outside their buffers, facets at an edge are at least 3h/2 apart", "3.2", "h", "9 h^2 <= 4 |o-o'|^2", true, counts::protector_pairs, statements::sheet_separation},
     {"L15", "edges at a vertex make at least the angle phi' with facets that do not contain them", "missing", "angle",
      "where e projects into a cell of f at v: T_K(C) > 0, (u.n)^2 >= (1 - T_K(C)^2) |u|^2 |n|^2", true, counts::tilts, statements::tilt},
-    {"L16", "the sphere of a cell C is empty, and its radius is at most (1 + 1/16) h", "3.2", "h if global", "P(x) >= 0, > 0 off the plane; 256 R^2 <= 289 h^2", true,
+    {"L16", "the sphere of a cell C is empty, and its radius is at most (1 + 1/16) h", "3.2", "h if r is there", "P(x) >= 0, > 0 off the plane; 256 R^2 <= 289 h^2", true,
      counts::other_cells, statements::other_cells_empty},
     {"L17", "the boundary of P'' is locally Delaunay in its plane", "2.2, 2.3", "", "P(y) >= 0 for the C cell at an edge of the outline, y opposite to it", true,
      counts::outline_edges, statements::locally_delaunay},

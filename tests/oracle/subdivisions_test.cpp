@@ -68,14 +68,16 @@ Faces delaunay(const std::vector<Kernel::Point_3>& points, std::mt19937_64& gene
   return faces_of(triangulation);
 }
 
-Faces perturbed_delaunay(const std::vector<Kernel::Point_3>& points, std::mt19937_64& generator) {
+Faces perturbed_delaunay(const std::vector<Kernel::Point_3>& points, std::mt19937_64& generator, const std::vector<int>& raised = {}) {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
   using Structure = CGAL::Triangulation_data_structure_3<Vertex, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
   using Triangulation = CGAL::Regular_triangulation_3<Kernel, Structure>;
   Triangulation triangulation;
   for (const int i : shuffled(points.size(), generator)) {
     // Below every non-zero power of points with up to about 300 bits.
-    const mpq_class weight = mpq_class(static_cast<unsigned long>(generator() >> 33)) * power_of_two(-4000);
+    // Points of equal and greatest weight are lifted onto a plane below all others of their sphere: their simplex is a face.
+    const bool first = std::find(raised.begin(), raised.end(), i) != raised.end();
+    const mpq_class weight = (first ? power_of_two(32) : mpq_class(static_cast<unsigned long>(generator() >> 33))) * power_of_two(-4000);
     const auto vertex = triangulation.insert(Triangulation::Weighted_point(points[i], Kernel::FT(Kernel::FT::ET(weight))));
     require(vertex != nullptr, "no point is hidden");
     vertex->info() = i;
@@ -166,6 +168,14 @@ Conformity conformity(const CanonicalComplex& complex, const std::vector<Rationa
   }
   result.different = static_cast<int>(seen.size());
   return result;
+}
+
+SubdivisionFaces subdivision(const std::vector<Rational3>& points, const std::vector<int>& raised, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::vector<Kernel::Point_3> kernel_points;
+  for (const Rational3& p : points) kernel_points.push_back(kernel_point(p));
+  const Faces faces = perturbed_delaunay(kernel_points, generator, raised);
+  return {{faces.edges.begin(), faces.edges.end()}, {faces.triangles.begin(), faces.triangles.end()}};
 }
 
 }  // namespace confidel::test

@@ -91,11 +91,19 @@ def check_lemmas(files, names):
                 for part in word.split("::"):
                     expect(re.search(r"\b%s\b" % part, core), "lemmas.md, %s: no %s in core/" % (cells[0], word))
         for word in re.findall(r"`([^`]+)`", cells[4]):
-            expect(word in rules or word == "refuted", "lemmas.md, %s: no rule %s" % (cells[0], word))
+            expect(word in rules or word == "refutes", "lemmas.md, %s: no rule %s" % (cells[0], word))
         count += check_references("lemmas.md, " + cells[0], cells[5], files, names)
         for case in re.findall(r"placement_test: ([\w, ]+)", cells[6]):
             for name in case.split(", "):
                 expect("BOOST_AUTO_TEST_CASE(%s)" % name in read("tests/core/placement/placement_test.cpp"), "lemmas.md, %s: no case %s" % (cells[0], name))
+    claims = [cells for cells in rows(page, 5) if cells[0] != "claim"]
+    listed = re.findall(r'^    \{"([HL][\w-]+)",', read("proofs", "lemmas", "table.cpp"), re.M)
+    expect([cells[0] for cells in claims] == listed and len(listed) == 28, "lemmas.md: the table of claims is not that of proofs/lemmas/table.cpp")
+    graded = set(re.findall(r'"([HL]\d*[\w-]*)"', read("core", "placement", "local_claims.cpp")))
+    for cells in claims:
+        for path, function in re.findall(r"`([\w/.]+)`: (\w+)", cells[2] + " " + cells[3]):
+            expect(os.path.exists(os.path.join(ROOT, path)) and re.search(r"\b%s\(" % function, read(path)), "lemmas.md, claim %s: no %s in %s" % (cells[0], function, path))
+        expect((cells[4] == "yes") == (cells[0] in graded), "lemmas.md, claim %s: what graded claims is otherwise" % cells[0])
     for cells in rows(page, 3):
         count += check_references("lemmas.md, implications", cells[2], files, names)
     for path in re.findall(r"`((?:core|tests|proofs)/[\w/.-]+)`", page):
