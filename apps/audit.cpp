@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // confidel audit INPUT MESH: is somebody else's mesh conforming Delaunay? What is not, and by how much.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -32,13 +31,13 @@ struct AuditOptions {
 
 /// The certificate of what holds, where the user wants it or for the check only; the checker's answer.
 CheckerRun certify(const AuditOptions& options, const BuiltComplex& built, const Audit& audit) {
-  const std::string path = options.output.empty() ? (std::filesystem::temp_directory_path() / fmt::format("confidel-audit-{}.cert", ::getpid())).string() : options.output;
-  const PartialFile complex_file(path + ".plc");
+  const bool keep = !options.output.empty();
+  const PartialFile unkept((std::filesystem::temp_directory_path() / "confidel-audit.cert").string());
+  const std::string path = keep ? options.output : unkept.name();
+  const PartialFile temporary(path), complex_file(path + ".plc");
   write_output(complex_file.name(), canonical_text(audit.whole ? built.complex : audit.complex));
-  const PartialFile partial(path);
-  write_certificate(options.output.empty() ? partial.name() : path, options.output.empty() ? partial.name() + ".new" : partial.name(), audit.complex, audit.placement,
-                    {{"strategy", "none: the points are those of a mesh"}, {"tool", "confidel " CONFIDEL_VERSION}});
-  return run_checker(options.output.empty() ? partial.name() : path, complex_file.name(), options.threads, 0, 0);
+  write_certificate(path, temporary.name(), audit.complex, audit.placement, {{"strategy", "none: the points are those of a mesh"}, {"tool", "confidel " CONFIDEL_VERSION}});
+  return run_checker(path, complex_file.name(), options.threads, 0, 0);
 }
 
 int run_audit(const AuditOptions& options) {
