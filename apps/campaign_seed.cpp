@@ -25,8 +25,9 @@ bool is_size_limit(const ConformRun& run) { return run.outcome == Outcome::undec
 bool is_expected(const ConformRun& run, const Family& family, const std::string& strategy) {
   if (!family.valid) return run.outcome == Outcome::invalid;
   if (strategy == "saalfeld" && run.outcome == Outcome::invalid) return run.verdict.find("is for planar inputs") != std::string::npos;
-  // The paper's own strategy may be refuted: that is what it is there for.
-  return run.outcome == Outcome::verified || is_size_limit(run) || (strategy == "paper" && run.outcome == Outcome::refuted);
+  // The paper's own strategy may be refuted, or fail where no lemma speaks: that is what it is there for.
+  const bool fails = run.outcome == Outcome::refuted || run.verdict.rfind("s UNDECIDED strategy-failed", 0) == 0;
+  return run.outcome == Outcome::verified || is_size_limit(run) || (strategy == "paper" && fails);
 }
 
 /// Why two runs of what is the same problem contradict each other; empty if they do not.

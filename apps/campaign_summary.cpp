@@ -16,7 +16,7 @@ namespace {
 std::string seed_of(const Json& record) { return fmt::format("{} {}", record["family"].get<std::string>(), record["seed"].dump()); }
 
 struct Group {
-  long runs = 0, verified = 0, undecided = 0, other = 0, unexpected = 0, fell_back = 0;
+  long runs = 0, verified = 0, refuted = 0, undecided = 0, invalid = 0, unexpected = 0, fell_back = 0;
   std::vector<long> points;
   double smallest_angle = std::numeric_limits<double>::infinity();
   double smallest_power = std::numeric_limits<double>::infinity();
@@ -26,7 +26,8 @@ struct Group {
     const std::string outcome = record["outcome"];
     if (outcome == "verified") ++verified;
     else if (outcome == "undecided") ++undecided;
-    else ++other;
+    else if (outcome == "refuted") ++refuted;
+    else if (outcome == "invalid") ++invalid;
     if (record["expected"] != true) ++unexpected;
     if (record.contains("protected_by_graded")) ++fell_back;
     if (outcome == "verified") points.push_back(record.value("steiner_points", 0L));
@@ -38,12 +39,12 @@ struct Group {
     std::sort(points.begin(), points.end());
     const auto quantile = [&](double q) { return points.empty() ? std::string("-") : fmt::format("{}", points[static_cast<std::size_t>(q * static_cast<double>(points.size() - 1))]); };
     const auto number = [](double value) { return value == std::numeric_limits<double>::infinity() ? std::string("-") : fmt::format("{:.3g}", value); };
-    return fmt::format("{} | {} | {} | {} | {} | {} | {} | {} | {} | {} |", runs, verified, undecided, other, unexpected, quantile(0.5), quantile(0.9), quantile(1), number(smallest_angle), number(smallest_power));
+    return fmt::format("{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |", runs, verified, refuted, undecided, invalid, unexpected, fell_back, quantile(0.5), quantile(0.9), quantile(1), number(smallest_angle), number(smallest_power));
   }
 };
 
-const char* const columns = "runs | verified | undecided | other | unexpected | points: median | 90 % | most | smallest angle | smallest power |";
-const char* const rule = "---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|";
+const char* const columns = "runs | verified | refuted | undecided | refused | unexpected | as graded | points: median | 90 % | most | smallest angle | smallest power |";
+const char* const rule = "---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|";
 
 void print_groups(const std::string& title, std::map<std::pair<std::string, std::string>, Group>& groups) {
   fmt::print("\n| {} | strategy | {}\n|---|---|{}\n", title, columns, rule);

@@ -86,10 +86,13 @@ void write_output(const std::string& path, const std::string& bytes) {
   {
     const std::unique_ptr<std::FILE, Closer> stream(std::fopen(partial.name().c_str(), "wb"));
     if (!stream) throw FileError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+    partial.created();
     write_all(stream.get(), path, bytes);
   }
-  if (std::rename(partial.name().c_str(), path.c_str()) != 0)
+  if (std::rename(partial.name().c_str(), path.c_str()) != 0) {
+    wait_if_interrupted();
     throw FileError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+  }
 }
 
 }  // namespace confidel

@@ -28,8 +28,10 @@ extern "C" void leave(int) {
   // What they were about to write has to be there before it can be removed.
   for (const auto& process : child_processes)
     if (const pid_t child = process.load(); child > 0) waitpid(child, nullptr, 0);
-  for (const auto& temporary : temporary_names)
-    if (const char* name = temporary.load()) unlink(name);
+  // Twice: another thread may be renaming one of these to another.
+  for (int pass = 0; pass < 2; ++pass)
+    for (const auto& temporary : temporary_names)
+      if (const char* name = temporary.load()) unlink(name);
   _exit(exit_interrupted);
 }
 
@@ -46,6 +48,11 @@ void handle_interrupts() {
 
 void wait_if_interrupted() {
   while (interrupted) pause();
+}
+
+void TemporaryFile::created() const {
+  if (interrupted) unlink(name_.c_str());
+  wait_if_interrupted();
 }
 
 PartialFile::PartialFile(const std::string& final_path) : TemporaryFile(final_path + ".partial-" + std::to_string(getpid())) {}

@@ -23,6 +23,8 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::string& name() const { return name_; }
+  /// To be called when the file has just been created, in programs of several threads: an interruption that did not see it yet does not leave it.
+  void created() const;
 
  private:
   std::string name_;
