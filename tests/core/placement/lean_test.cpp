@@ -152,13 +152,31 @@ BOOST_AUTO_TEST_CASE(triangles_at_one_vertex) {
 }
 
 BOOST_AUTO_TEST_CASE(blades_at_one_edge) {
-  for (unsigned seed : {1u, 2u, 3u}) {
+  for (unsigned seed : {1u, 2u}) {
     LeanReport report;
-    const long points = steiner(blades(seed, 7), &report);
+    const long points = steiner(blades(seed, 12), &report);
     BOOST_TEST_MESSAGE("blades " << seed << ": " << points << " points, " << report.protected_vertices << " balls, " << report.protected_segments << " rows");
     BOOST_TEST(!report.fell_back);
-    BOOST_TEST(points < 6000);
+    BOOST_TEST(report.protected_segments > 0);
+    BOOST_TEST(points < 12000);
   }
+}
+
+// Two blades at a very small angle: matching points keep the number far below what the angle suggests.
+BOOST_AUTO_TEST_CASE(blades_at_a_small_angle) {
+  std::vector<Position> vertices{{0, 0, 0}, {0, 0, 1}};
+  std::vector<std::vector<int>> facets;
+  const double degrees[] = {0, 0.15, 40, 95, 96, 150, 200, 200.3, 260, 310};
+  for (int i = 0; i < 10; ++i) {
+    const double angle = degrees[i] * pi / 180, away = 0.4 + 0.13 * (i * 7 % 5);
+    vertices.push_back({away * std::cos(angle), away * std::sin(angle), -0.2 + 0.3 * (i * 3 % 5)});
+    facets.push_back({0, 1, i + 2});
+  }
+  LeanReport report;
+  const long points = steiner(triangles(vertices, facets), &report);
+  BOOST_TEST_MESSAGE("small angle: " << points << " points, " << report.protected_vertices << " balls, " << report.protected_segments << " rows");
+  BOOST_TEST(!report.fell_back);
+  BOOST_TEST(points < 8000);
 }
 
 BOOST_AUTO_TEST_CASE(both_strategies_are_accepted_and_deterministic) {
@@ -192,9 +210,9 @@ BOOST_AUTO_TEST_CASE(merged_edge_that_others_share) {
   steiner(complex);
 }
 
-// Flattened: angles down to some hundredths of a degree. Graded is asked only as far as it stays small.
+// Flattened: angles down to some hundredths of a degree.
 BOOST_AUTO_TEST_CASE(squashed_complexes) {
-  for (std::uint64_t seed : {1, 2, 3, 4, 5}) {
+  for (std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}) {
     Random random(seed);
     Input input = random_subcomplex(random, 8, false);
     for (InputVertex& vertex : input.vertices) vertex.position[2] = std::ldexp(vertex.position[2], -static_cast<int>(4 + seed % 4 * 2));
@@ -203,7 +221,7 @@ BOOST_AUTO_TEST_CASE(squashed_complexes) {
     const long points = steiner(complex, &report);
     BOOST_TEST_MESSAGE("squashed " << seed << ": " << points << " points, " << report.protected_vertices << " balls, " << report.protected_segments << " rows");
     BOOST_TEST(!report.fell_back);
-    if (const auto graded = steiner_of_graded(complex)) BOOST_TEST(points <= *graded);
+    BOOST_TEST(points < 1000);
   }
 }
 
