@@ -93,6 +93,8 @@ void put_cells(const Picture& picture, Json& data) {
   data["nearest"] = packed(nearest);
   data["shift"] = packed(shift);
   data["violated"] = picture.violated;
+  data["lemmas"] = Json::array();
+  for (const LemmaSlacks& lemma : picture.lemmas) data["lemmas"].push_back({{"id", lemma.id}, {"slack", packed(lemma.cells)}});
   data["witness"] = {{"statement", picture.witness.statement}, {"cells", picture.witness.cells}, {"points", picture.witness.points}};
 }
 
