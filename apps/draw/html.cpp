@@ -131,6 +131,7 @@ Json data_of(const Picture& picture) {
   Json data;
   data["file"] = slash == std::string::npos ? certificate.file : certificate.file.substr(slash + 1);
   data["verdict"] = picture.verdict;
+  data["dimension"] = certificate.dimension;
   const std::string strategy = certificate.note("strategy");
   data["counts"] = fmt::format("dimension {}: {} vertices, {} segments, {} facets, {} Steiner points, {} cells{}", certificate.dimension, certificate.vertex_count,
                                certificate.segments.size(), certificate.facets.size(), certificate.points.size() - certificate.vertex_count, certificate.cells.size(),

@@ -21,7 +21,7 @@ function pick(cell) {
     gpu.pickedPoints = pointArrays(near.map(([p]) => p), (p) => [...rgb(p === nearest[cell] ? (dark.matches ? "#ff9a55" : "#d55e00") : dark.matches ? "#f2a0cc" : "#a03a78"), 255]);
     panel.append(element("h2", `cell ${cell}`));
     const lines = [`line ${cellLine[cell]} of the certificate, facet ${cellFacet[cell]}, kind ${cellKinds[cellKind[cell]]}, number ${rank[cell] + 1} by slack`, `corners ${own.map(pointName).join(", ")}`, `radius of its sphere ${number(radius, 9)}`];
-    if (nearest[cell] >= 0) lines.push(`relative power of the nearest point off its plane: ${number(slack[cell], 12)}, point ${pointName(nearest[cell])}`);
+    if (nearest[cell] >= 0) lines.push(`relative power of the nearest point${data.dimension === 3 ? " off its plane" : ""}: ${number(slack[cell], 12)}, point ${pointName(nearest[cell])}`);
     for (const [id, { values }] of lemmas) if (!Number.isNaN(values[cell])) lines.push(`slack of ${id}: ${number(values[cell], 6)}`);
     for (const text of lines) panel.append(element("p", text));
     if (violated.has(cell)) panel.append(element("p", "violated: a point lies where none may", { className: "bad" }));
