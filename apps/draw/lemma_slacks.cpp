@@ -13,7 +13,7 @@
 namespace confidel {
 namespace {
 
-const char* const by_cell[] = {"H-offset", "L1", "L2", "L3", "L4", "L5", "L7", "L17", "L20", "L23"};
+const char* const by_cell[] = {"H-offset", "L1", "L2", "L3", "L4", "L5", "L7", "L20", "L23"};
 
 std::vector<double> slacks_of(const Lemma& lemma, const Instance& instance, const Certificate& certificate) {
   std::vector<double> result(certificate.cells.size(), std::numeric_limits<double>::quiet_NaN());

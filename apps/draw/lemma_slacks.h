@@ -14,7 +14,7 @@ struct LemmaSlacks {
   std::vector<double> cells;  ///< the smallest slack whose object is the cell, rounded; NaN where the lemma says nothing of it
 };
 
-/// Of the lemmas that the certificate claims and whose objects are cells, boxes or edges of the outline; those about empty spheres have the cell's
+/// Of the lemmas that the certificate claims and whose objects are cells, boxes or edges of the outline; those about empty spheres (L17 too) have the cell's
 /// own slack and are left out. Empty where the certificate is not fit for it: that is for the checker to say.
 std::vector<LemmaSlacks> lemma_slacks(const Certificate& certificate);
 
