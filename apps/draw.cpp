@@ -57,6 +57,7 @@ void measure(Picture& picture, Meter& meter) {
     return stopped.load();
   });
   if (stopped) throw Stopped();
+  picture.lemmas = lemma_slacks(picture.certificate);
   derive(picture);
 }
 

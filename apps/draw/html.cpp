@@ -93,6 +93,8 @@ void put_cells(const Picture& picture, Json& data) {
   data["nearest"] = packed(nearest);
   data["shift"] = packed(shift);
   data["violated"] = picture.violated;
+  data["lemmas"] = Json::array();
+  for (const LemmaSlacks& lemma : picture.lemmas) data["lemmas"].push_back({{"id", lemma.id}, {"slack", packed(lemma.cells)}});
   data["witness"] = {{"statement", picture.witness.statement}, {"cells", picture.witness.cells}, {"points", picture.witness.points}};
 }
 
@@ -129,6 +131,7 @@ Json data_of(const Picture& picture) {
   Json data;
   data["file"] = slash == std::string::npos ? certificate.file : certificate.file.substr(slash + 1);
   data["verdict"] = picture.verdict;
+  data["dimension"] = certificate.dimension;
   const std::string strategy = certificate.note("strategy");
   data["counts"] = fmt::format("dimension {}: {} vertices, {} segments, {} facets, {} Steiner points, {} cells{}", certificate.dimension, certificate.vertex_count,
                                certificate.segments.size(), certificate.facets.size(), certificate.points.size() - certificate.vertex_count, certificate.cells.size(),

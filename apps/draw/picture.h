@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/draw/lemma_slacks.h"
 #include "proofs/certificate/clearance.h"
 #include "proofs/certificate/reader.h"
 
@@ -39,6 +40,7 @@ struct Picture {
   Certificate certificate;
   std::vector<std::array<double, 3>> positions;
   std::vector<CellClearance> clearances;
+  std::vector<LemmaSlacks> lemmas;
   std::vector<Ball> balls;       ///< by vertex
   std::vector<CellEdge> edges;   ///< by facet, then by ends; an edge of two facets occurs in both
   nlohmann::ordered_json check;  ///< the checker's report, or null

@@ -29,8 +29,10 @@ function colourOf(cell) {
   if (state.colour === "kind") return violated.has(cell) ? rgb(badColour) : rgb(kindColours[cellKind[cell]]);
   if (state.colour === "stage") return rgb(stageColours[stageOf(cell)]);
   if (state.colour === "facet") return rgb(facetColours[cellFacet[cell] % facetColours.length]);
-  const t = cellCount > 1 ? (rank[cell] / (cellCount - 1)) * (slackColours.length - 1) : 0, k = Math.min(Math.floor(t), slackColours.length - 2);
-  return slackColours[k].map((v, i) => Math.round(v + (t - k) * (slackColours[k + 1][i] - v)));
+  const lemma = lemmas.get(state.colour), [i, count] = lemma ? [lemma.places.get(cell), lemma.cells.length] : [rank[cell], cellCount];
+  if (i === undefined) return [200, 200, 200];
+  const t = count > 1 ? (i / (count - 1)) * (slackColours.length - 1) : 0, k = Math.min(Math.floor(t), slackColours.length - 2);
+  return slackColours[k].map((v, j) => Math.round(v + (t - k) * (slackColours[k + 1][j] - v)));
 }
 function fillColours() {
   const bytes = new Uint8Array(12 * cellCount);

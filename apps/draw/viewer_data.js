@@ -73,3 +73,12 @@ function nearestPoints(cell, count) {
 const stageOfPoint = [0, 1, 1, 2, 3, 4];
 const stages = ["vertices only", "points on segments", "protectors' points", "arc points", "Chew's points"];
 const stageOf = (cell) => Math.max(...[0, 1, 2].map((k) => stageOfPoint[pointKind[corners[3 * cell + k]]]));
+
+// Claimed lemmas: the slack of each cell (NaN: nothing is said of it), and the cells of which something is said, tightest first.
+const lemmas = new Map(data.lemmas.map(({ id, slack: text }) => {
+  const values = decode(Float64Array, text), cells = [];
+  values.forEach((v, cell) => { if (!Number.isNaN(v)) cells.push(cell); });
+  cells.sort((a, b) => values[a] - values[b] || a - b);
+  const places = new Map(cells.map((cell, i) => [cell, i]));
+  return [id, { values, cells, places }];
+}));

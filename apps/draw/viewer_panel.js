@@ -21,7 +21,8 @@ function pick(cell) {
     gpu.pickedPoints = pointArrays(near.map(([p]) => p), (p) => [...rgb(p === nearest[cell] ? (dark.matches ? "#ff9a55" : "#d55e00") : dark.matches ? "#f2a0cc" : "#a03a78"), 255]);
     panel.append(element("h2", `cell ${cell}`));
     const lines = [`line ${cellLine[cell]} of the certificate, facet ${cellFacet[cell]}, kind ${cellKinds[cellKind[cell]]}, number ${rank[cell] + 1} by slack`, `corners ${own.map(pointName).join(", ")}`, `radius of its sphere ${number(radius, 9)}`];
-    if (nearest[cell] >= 0) lines.push(`relative power of the nearest point off its plane: ${number(slack[cell], 12)}, point ${pointName(nearest[cell])}`);
+    if (nearest[cell] >= 0) lines.push(`relative power of the nearest point${data.dimension === 3 ? " off its plane" : ""}: ${number(slack[cell], 12)}, point ${pointName(nearest[cell])}`);
+    for (const [id, { values }] of lemmas) if (!Number.isNaN(values[cell])) lines.push(`slack of ${id}: ${number(values[cell], 6)}`);
     for (const text of lines) panel.append(element("p", text));
     if (violated.has(cell)) panel.append(element("p", "violated: a point lies where none may", { className: "bad" }));
     const table = element("table"), top = element("tr");
@@ -61,11 +62,13 @@ function setTightest(count) {
 function legend() {
   const entries = { kind: cellKinds.map((k, i) => [kindColours[i], { T: "T at an edge's end", S: "S spoke", R: "R rectangle", C: "C Chew" }[k], cellKind.includes(i)]), stage: stages.map((s, i) => [stageColours[i], s, true]) }[state.colour] || [];
   if (state.colour === "kind" && violated.size) entries.push([badColour, "violated", true]);
-  if (state.colour === "slack")
+  const lemma = lemmas.get(state.colour);
+  if (state.colour === "slack" || lemma)
     slackColours.forEach((c, i) => {
-      const cell = order[Math.round((i / (slackColours.length - 1)) * (cellCount - 1))];
-      if (cell !== undefined) entries.push([`rgb(${c})`, number(slack[cell], 3), true]);
+      const list = lemma ? lemma.cells : order, cell = list[Math.round((i / (slackColours.length - 1)) * (list.length - 1))];
+      if (cell !== undefined) entries.push([`rgb(${c})`, number((lemma ? lemma.values : slack)[cell], 3), true]);
     });
+  if (lemma) entries.push(["rgb(200,200,200)", "not spoken of", true]);
   if (state.colour === "facet") entries.push([facetColours[0], "colours repeat", true]);
   $("legend").replaceChildren(...entries.filter((e) => e[2]).map(([colour, text]) => { const span = element("span"); const box = element("i"); box.style.background = colour; span.append(box, text); return span; }));
 }
@@ -108,6 +111,7 @@ function panel() {
     label.append(box, count === null ? name : `${name} (${count})`);
     $("layers").append(label);
   }
+  for (const id of lemmas.keys()) $("colour").append(element("option", `slack of ${id}`, { value: id }));
   $("tightest").addEventListener("input", () => setTightest(countOf(Number($("tightest").value))));
   $("colour").addEventListener("change", () => { state.colour = $("colour").value; fillColours(); legend(); render(); });
   $("axis").addEventListener("change", () => { state.axis = $("axis").value; $("cut-label").hidden = !state.axis; render(); });

@@ -109,6 +109,10 @@ std::string draw_vtu(const Picture& picture) {
   out += array("kind", point_kinds) + array("carrier", carriers) + "</PointData>\n<CellData Scalars=\"slack\">\n";
   out += array("slack", slack) + array("relative-power", power) + array("radius", radius) + array("kind", kinds) + array("facet", facets) + array("segment", segments) +
          array("box", boxes) + array("line", lines) + array("nearest", nearest) + array("nearest-off-plane", nearest_off_plane) + array("violated", violated);
+  for (LemmaSlacks lemma : picture.lemmas) {
+    lemma.cells.resize(types.size(), none);
+    out += array("slack-" + lemma.id, lemma.cells);
+  }
   return out + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 

@@ -9,7 +9,7 @@
 namespace confidel {
 
 /// Triangles for cells and lines for the subsegments of hanging segments, with arrays per point (kind, carrier) and per cell (kind, facet, line, box,
-/// slack, nearest point, radius). Inline base64, UInt64 header, Int64 connectivity and offsets: what VTK and meshio both read.
+/// slack, nearest point, radius, slack of claimed lemmas). Inline base64, UInt64 header, Int64 connectivity and offsets: what VTK and meshio both read.
 std::string draw_vtu(const Picture& picture);
 
 /// Standard base64 with padding.

@@ -4,13 +4,18 @@
 
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "proofs/lemmas/lemma.h"
 
 namespace confidel {
 
 class Tally {
  public:
-  explicit Tally(long objects) { result_.objects = objects; }
+  using Observer = std::function<void(double slack, int line)>;
+
+  /// The observer is told every slack that is offered.
+  explicit Tally(long objects, Observer observer = {}) : observer_(std::move(observer)) { result_.objects = objects; }
 
   /// One object on which the statement does not hold. To be called at most once for each.
   void fail(int line, std::string object) {
@@ -20,11 +25,13 @@ class Tally {
   /// The first of the smallest is kept. The place is spelt only if it is needed: object is a function.
   template <class Object>
   void slack(const mpq_class& value, int line, Object object) {
+    if (observer_) observer_(value.get_d(), line);
     if (result_.slack && (result_.slack->exact ? *result_.slack->exact <= value : result_.slack->rounded <= value.get_d())) return;
     result_.slack = LemmaResult::Slack{value.get_d(), value, {object(), line}};
   }
   template <class Object>
   void slack(double value, int line, Object object) {
+    if (observer_) observer_(value, line);
     if (result_.slack && result_.slack->rounded <= value) return;
     result_.slack = LemmaResult::Slack{value, std::nullopt, {object(), line}};
   }
@@ -36,6 +43,7 @@ class Tally {
 
  private:
   LemmaResult result_;
+  Observer observer_;
 };
 
 /// The line of a record, 0 if it is not known.

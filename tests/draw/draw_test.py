@@ -118,6 +118,16 @@ def test_vtu(programs, folder):
     programs.expect("%.6g" % min(arrays["slack"]) == "%.6g" % report["value"], "the smallest slack is the checker's: %r, %r" % (min(arrays["slack"]), report))
     tightest = arrays["slack"].index(min(arrays["slack"]))
     programs.expect((arrays["line"][tightest], arrays["nearest-off-plane"][tightest]) == (report["cell-line"], report["point"]), "and at the same place")
+    corner, repaired = os.path.join(folder, "corner.cert"), os.path.join(folder, "corner.vtu")
+    programs.expect_verified("corner", os.path.join(EXAMPLES, "corner-45.poly"), corner, "--strategy", "repaired")
+    programs.run("draw", corner, "-o", repaired)
+    by_cell = arrays_of(repaired)
+    claims = {claim["id"]: claim for claim in json.loads(programs.run(corner, "--json", program=programs.checker)[1])["claims"]}
+    lemmas = [name[6:] for name in by_cell if name.startswith("slack-")]
+    programs.expect({"L1", "L2", "L3", "L4"} <= set(lemmas) <= set(claims), "the slacks of claimed lemmas are there: %s" % lemmas)
+    for lemma in lemmas:
+        smallest = min(value for value in by_cell["slack-" + lemma] if value == value)
+        programs.expect("%.6g" % smallest == "%.6g" % claims[lemma]["slack"], "%s: the smallest slack of a cell is %r, the checker's %r" % (lemma, smallest, claims[lemma]["slack"]))
     hanging = os.path.join(folder, "hanging.vtu")
     programs.run("draw", os.path.join(ACCEPT, "worked-example.cert"), "-o", hanging)
     programs.expect(arrays_of(hanging)["types"] == (5, 5, 5, 3, 3), "subsegments are lines")

@@ -111,6 +111,16 @@ def main():
             page.open(picture)
             page.run("confidel.pick(confidel.cellCount - 1); confidel.pixels().length")
             programs.expect(page.errors == [], "%s: %s" % (name, page.errors))
+        # Colours by the slack of a claimed lemma.
+        programs.expect_verified("corner", os.path.join(EXAMPLES, "corner-45.poly"), certificate, "--strategy", "repaired")
+        programs.run("draw", certificate, "-o", picture)
+        page.open(picture)
+        page.run(LOOK)
+        page.run(SET % ("colour", "L1", "change"))
+        _, changed = page.run(LOOK)
+        programs.expect(changed > 200 and page.run("document.querySelectorAll('#legend span').length") > 3, "colour by the slack of L1: %d pixels" % changed)
+        page.run("confidel.pick(%d)" % page.run("lemmas.get('L1').cells[0]"))
+        programs.expect("slack of L1" in page.run("document.getElementById('picked').innerText"), "the slack of L1 is said")
         # The SVG's switches: a hidden layer appears, by mouse and by key.
         drawing = os.path.join(folder, "plane.svg")
         programs.run("draw", os.path.join(ACCEPT, "rows-boxes-dim2.cert"), "-o", drawing)
