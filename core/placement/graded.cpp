@@ -295,8 +295,12 @@ class Refinement {
 
 Placement place_graded(const Complex& complex, const Features& features, const Limits& limits, Progress& progress) {
   if (auto placement = place_with_open_hull(complex, features, limits, progress)) return std::move(*placement);
-  Refinement refinement(complex, features, limits, progress);
-  return refinement.run();
+  try {
+    Refinement refinement(complex, features, limits, progress);
+    return refinement.run();
+  } catch (const std::logic_error& failure) {
+    throw StrategyFailed(failure.what());  // its sizes do not fit this input: undecided, never a crash
+  }
 }
 
 }  // namespace confidel

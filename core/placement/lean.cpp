@@ -100,11 +100,7 @@ Placement place_lean(const Complex& complex, const Features& features, const Lim
     tell();
     told.fell_back = true;
     told.reason = reason.what();
-    try {
-      return place_graded(complex, features, limits, progress);
-    } catch (const std::logic_error& failure) {
-      throw StrategyFailed(failure.what());  // its sizes failed: undecided, not our crash
-    }
+    return place_graded(complex, features, limits, progress);
   }
   tell();
   clean_up(state);
