@@ -20,7 +20,7 @@ def compare(programs, name, certificate):
     """Both tables; the verdicts of the claims agree, and what was counted. Returns the checker's exit code, or None if it ended early."""
     code, out, _ = programs.run(certificate, "--json", program=programs.checker)
     checker = json.loads(out)
-    rule = checker.get("rule")
+    rule = checker.get("rule") if code == 5 else None
     ours_code, out, err = programs.run("lemma", "check", "all", certificate, "--json")
     if not programs.expect(ours_code in (0, 1), "%s: lemma check ends with %d: %s" % (name, ours_code, err[-300:])):
         return code
@@ -50,7 +50,7 @@ def test_examples(programs, folder):
         with open(certificate) as file:
             claims = [line.split()[1] for line in file if line.startswith("claim ")]
         # Vertices that lie alone in a facet are corners of C cells: the lemmas on kinds are not about these.
-        lonely = example in ("courtyard.poly", "facet-parts.poly", "star-1.poly")
+        lonely = example.endswith(".poly")
         programs.expect(set(claims) >= {"conforms", "L18", "L18b", "L19", "L22"} if lonely else claims == ["conforms"] + GRADED, "%s: claims %s" % (example, claims))
         compare(programs, example, certificate)
 
