@@ -23,9 +23,10 @@ LARGEST = 4096
 
 def compile_one(source):
     target = os.path.join(BUILD, os.path.relpath(source, ROOT).replace("/", "-") + ".o")
-    done = subprocess.run(["clang++", *FLAGS, "-c", source, "-o", target], capture_output=True, text=True)
+    cache = ["ccache"] if shutil.which("ccache") else []
+    done = subprocess.run([*cache, "clang++", *FLAGS, "-c", source, "-o", target], capture_output=True, text=True)
     if done.returncode != 0:
-        sys.exit("%s\n%s" % (source, done.stderr[-3000:]))
+        sys.exit("%s: clang++ ends with %d\n%s" % (source, done.returncode, done.stderr[-3000:]))
     return target
 
 
