@@ -227,6 +227,7 @@ void add_campaign(CLI::App& app, Selection& selection) {
   auto options = std::make_shared<CampaignOptions>();
   CLI::App* campaign = app.add_subcommand("campaign", "Many random inputs, each certificate checked by the checker program");
   campaign->require_subcommand(1);
+  campaign->footer("Examples:\n  confidel campaign run --seeds 0..3 --out runs\n  confidel campaign run --seeds 0..3 --out runs && confidel campaign cover runs");
   CLI::App* run = campaign->add_subcommand("run", "Generate, conform, check, record; what is there already is not run again");
   run->add_option("--family", options->plan.family, "A family's name, or all: the seed chooses")->capture_default_str();
   run->add_option("--seeds", options->seeds, "FIRST..LAST, both included")->required();

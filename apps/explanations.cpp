@@ -36,6 +36,7 @@ constexpr Explanation table[] = {
     {"E-EMPTY", "error", "There are no vertices, or nothing but vertices: there is nothing to conform to.", "Check that this is the right file, and that it holds a surface or segments."},
     {"E-ZSTD", "error", "The zstd frame of a certificate is damaged, or more than one frame or other bytes stand in the file.", "Restore the file, or decompress it with `zstd -d` to see how far it goes."},
     {"E-TOO-LARGE", "error", "A picture of so many cells would not open in a browser.", "Write .vtu and look at it in ParaView."},
+    {"E-COVER", "error", "The records of a campaign are not what its plan says: blocks are missing, changed, overlap, or come from other programs.", "Run the campaign again; complete blocks are kept."},
     {"E-DUPLICATE-VERTEX", "error", "Two vertices have exactly the same position. Which of them a facet means would matter to the facet's neighbours.",
      "Keep one of them, or say `--merge-identical`. Nothing that is merely close is ever merged."},
     {"E-DEGENERATE-FACET", "error", "A facet has no area: its corners lie on one line, it has fewer than three different ones, or its loops enclose nothing.",

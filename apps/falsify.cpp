@@ -187,7 +187,7 @@ void add_falsify(CLI::App& app, Selection& selection) {
   command->add_option("--seed", options->seed, "Where the search begins")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("--out", options->folder, "Where the tightest input of each family, and a violation, are put")->capture_default_str();
   command->add_option("-j,--processes", options->processes, "How many runs of conform at a time")->check(CLI::Range(1, 64))->capture_default_str();
-  command->footer("Example: confidel falsify power --strategy graded --time-limit 60s\nExit codes: 1 a violation was found, 2 bad usage, 3 none in the time given.");
+  command->footer("Examples:\n  confidel falsify power --strategy graded --time-limit 60s\n\nExit codes: 1 a violation was found, 2 bad usage, 3 none in the time given.");
   command->callback([options, &selection] { selection.run = [options] { return Falsifier(*options).run(); }; });
 }
 

@@ -57,7 +57,7 @@ void add_generate(CLI::App& app, Selection& selection) {
   command->add_option("--seed", options->seed, "A number below 2^64")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("-o,--output", options->output, "The file: .smesh, .poly or .obj, as the input needs; without a suffix it gets the right one; default: standard output");
   command->add_flag("--list", options->list, "The families");
-  command->footer("Example: confidel generate wedge --seed 7 -o wedge.smesh");
+  command->footer("Examples:\n  confidel generate wedge --seed 7 -o wedge.smesh");
   command->callback([options, &selection] { selection.run = [options] { return run_generate(*options); }; });
 }
 

@@ -160,6 +160,7 @@ void add_lemma(CLI::App& app, Selection& selection) {
   command->add_option("--kernel", options->kernel, "algebraic: instead of a certificate, the extremal statements that need square roots, decided exactly")
       ->check(CLI::IsMember({"rational", "algebraic"}));
   command->add_flag("--json", options->json, "One JSON document");
+  command->footer("Examples:\n  confidel lemma list\n  confidel conform examples/fan.off -o fan.cert && confidel lemma check L18 fan.cert");
   command->callback([command, options, &selection] {
     if (options->kernel == "algebraic" && command->get_subcommands().empty())
       selection.run = [options] { return decide_algebraically(*options); };

@@ -277,7 +277,7 @@ void add_paper(CLI::App& app, Selection& selection) {
   CLI::App* command = app.add_subcommand("paper", "Every statement of the paper with its verdict, computed now on inputs that the program carries with it");
   command->add_option("-o,--output", options->folder, "A folder that exists: the certificates are kept there")->check(CLI::ExistingDirectory);
   command->add_flag("--json", options->json, "One JSON document instead of two Markdown tables");
-  command->footer("docs/paper-audit.md explains the statements. Exit codes: 0 the tables are complete, 4 a file cannot be written, 70 the checker does not accept a certificate.");
+  command->footer("Examples:\n  confidel paper\n\ndocs/paper-audit.md explains the statements. Exit codes: 0 the tables are complete, 4 a file cannot be written, 70 the checker does not accept a certificate.");
   command->callback([options, &selection] { selection.run = [options] { return Audit(*options).report(); }; });
 }
 

@@ -85,7 +85,7 @@ void add_shrink(CLI::App& app, Selection& selection) {
   command->add_option("--shrink-time", options->request.time_limit, "For all of it, such as 5m; the best so far is written then; 0: no limit")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE))
       ->capture_default_str();
-  command->footer("Example: confidel shrink bad.smesh --keep undecided:max-points --max-points 1000 -o small");
+  command->footer("Examples:\n  confidel shrink bad.smesh --keep undecided:max-points --max-points 1000 -o small");
   command->callback([options, &selection] { selection.run = [options] { return run_shrink(*options); }; });
 }
 

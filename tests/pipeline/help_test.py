@@ -10,6 +10,8 @@ import tempfile
 
 from harness import ROOT, Programs
 
+# Their examples run for minutes, or on an input that is bad in a way of its own.
+NOT_RUN = {"paper", "falsify", "shrink"}
 HELP_OPTIONS = re.compile(r"^  (-\S+)", re.M)
 
 
@@ -35,7 +37,7 @@ def check_examples(programs, names):
         with tempfile.TemporaryDirectory() as folder:
             os.symlink(os.path.join(ROOT, "examples"), os.path.join(folder, "examples"))
             environment = dict(os.environ, PATH=os.path.dirname(programs.confidel) + os.pathsep + os.environ["PATH"])
-            for example in examples:
+            for example in examples if name not in NOT_RUN else ():
                 done = subprocess.run(["bash", "-c", example], cwd=folder, env=environment, capture_output=True, text=True, timeout=300)
                 programs.expect(done.returncode == 0, "the example `%s` fails: %d %s" % (example, done.returncode, done.stderr[-300:]))
 
