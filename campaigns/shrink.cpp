@@ -191,6 +191,7 @@ class Shrinker {
     int exponent = 0;
     std::frexp(x, &exponent);
     const auto add = [&](double y) {
+      if (!std::isfinite(y)) return;  // a unit below the smallest double
       if (bits_of(y) < bits_of(x) && std::find(result.begin(), result.end(), y) == result.end()) result.push_back(y);
     };
     add(0);

@@ -196,6 +196,11 @@ def check_falsify(programs, folder):
     programs.expect(code == 3 and last_line(said).startswith("s UNDECIDED time-limit smallest="), "falsify power: %d %s %s" % (code, said, err))
     kept = glob.glob(os.path.join(out, "power-graded-*"))
     programs.expect(kept and all(programs.run("info", path)[0] == 0 for path in kept), "the tightest inputs are kept: %s" % kept)
+    # From a random start: the paper's strategy violates its Lemma 10.
+    code, said, err = programs.run("falsify", "L10", "--strategy", "paper", "--time-limit", "60", "--out", out)
+    programs.expect(code == 1 and last_line(said).startswith("s REFUTED L10 "), "falsify L10: %d %s %s" % (code, said, err))
+    small = json.loads(programs.run("info", os.path.join(out, "L10-paper-violation-shrunk.smesh"), "--json")[1])
+    programs.expect(small["vertices"] <= 5 and small["facets"] <= 3, "the violation of L10 is small: %s" % small)
     code, said, err = programs.run("falsify", "L99", "--time-limit", "60", "--out", out)
     programs.expect(code == 2 and "error[E-USAGE]" in err and "power" in err, "a lemma that nothing reports: %d %s" % (code, err))
     programs.expect(not glob.glob(os.path.join(out, "work-*")), "work files are gone")

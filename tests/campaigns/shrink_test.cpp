@@ -63,6 +63,13 @@ BOOST_AUTO_TEST_CASE(it_stops_when_told_and_refuses_what_does_not_do_it) {
   BOOST_CHECK_THROW(shrink(input, {[](const Input&) { return false; }}), std::invalid_argument);
 }
 
+BOOST_AUTO_TEST_CASE(the_smallest_double_shrinks) {
+  Maker maker(2);
+  maker.segment(maker.vertex({0, -0x1p-1074, 0}), maker.vertex({1, 0, 0}));
+  const Input small = shrink(maker.input(), {[](const Input& candidate) { return candidate.vertices.size() == 2; }});
+  BOOST_CHECK_EQUAL(small.vertices[0].position[1], 0);
+}
+
 BOOST_AUTO_TEST_CASE(planar_graphs_shrink_too) {
   const Input input = generate(*find_family("planar-graph"), 1);
   const Input small = shrink(input, {[](const Input& candidate) { return !candidate.segments.empty(); }});
