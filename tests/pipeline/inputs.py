@@ -22,6 +22,8 @@ EXAMPLES = {
     "corner-45.poly": None,
     "courtyard.poly": None,
     "star-1.poly": None,
+    "flagpole.obj": None,
+    "house.poly": None,
 }
 
 # Degrees, abscissa of the second triangle's apex (0.5: the mirror image of the first) -> points expected.

@@ -9,6 +9,7 @@ import os
 import sys
 import tempfile
 
+import inputs
 from harness import EXAMPLES, ROOT, Programs, last_line
 
 LEMMAS = ["H-angle", "H-ball", "H-offset", "H-chord"] + ["L%d" % n for n in range(1, 19)] + ["L18b"] + ["L%d" % n for n in range(19, 24)]
@@ -36,14 +37,16 @@ def compare(programs, name, certificate):
         programs.expect(same, "%s, %s: slack %s, the checker %s" % (name, claim["id"], one, other))
     if code == 0:
         programs.expect(ours_code == 0, "%s: verified, but lemma check ends with %d" % (name, ours_code))
-    if rule in LEMMAS:
+    with open(certificate, "rb") as file:
+        refutes = b"\nrefutes " in file.read()
+    if rule in LEMMAS and not refutes:  # a bad refutation is rejected under its own ID, whether the lemma holds or not
         entry = ours[rule]
         programs.expect(entry["verdict"] != "holds", "%s: the checker rejects %s, lemma check says that it holds" % (name, rule))
     return code
 
 
 def test_examples(programs, folder):
-    for example in sorted(os.listdir(EXAMPLES)):
+    for example in sorted(inputs.EXAMPLES):
         certificate = os.path.join(folder, example + ".cert")
         if programs.expect_verified(example, os.path.join(EXAMPLES, example), certificate, "--strategy", "graded") is None:
             continue
