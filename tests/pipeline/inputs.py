@@ -22,6 +22,7 @@ EXAMPLES = {
     "corner-45.poly": None,
     "courtyard.poly": None,
     "star-1.poly": None,
+    "well.poly": None,
     "flagpole.obj": None,
     "house.poly": None,
 }
