@@ -9,6 +9,8 @@ import tempfile
 # (first and last seed, further options): all families have their turn in each.
 CAMPAIGNS = [("1000000..1000101", ["--strategy", "lean,graded", "--max-points", "1500"]),
              ("2000000..2000033", ["--strategy", "lean", "--max-points", "500", "--metamorphic"])]
+# Seeds that were answered wrongly once (docs/campaigns.md).
+FOUND = [("3975..3975", ["--family", "planar-mutated", "--strategy", "lean,graded", "--max-points", "20000"])]
 
 
 def main():
@@ -16,9 +18,9 @@ def main():
     families = len(subprocess.run([confidel, "generate", "--list"], capture_output=True, text=True, check=True).stdout.splitlines())
     failures = 0
     with tempfile.TemporaryDirectory() as folder:
-        for number, (seeds, options) in enumerate(CAMPAIGNS):
+        for number, (seeds, options) in enumerate(CAMPAIGNS + FOUND):
             first, last = map(int, seeds.split(".."))
-            if last - first + 1 < families:
+            if number < len(CAMPAIGNS) and last - first + 1 < families:
                 print("FAILED %s: %d families are more than these seeds" % (seeds, families))
                 failures += 1
             out = os.path.join(folder, str(number))
