@@ -80,7 +80,7 @@ def planar(binaries, files):
             if line.startswith("median ratio "):
                 name, value = line[len("median ratio "):].rsplit(": ", 1)
                 ratios.setdefault(name, []).append(float(value))
-            elif line.startswith("|") and (not lines or not line.startswith(("| input", "|---"))):
+            elif line.startswith("|") and line not in lines:  # the table's head comes once
                 lines.append(line)
     yield from lines
     yield ""
