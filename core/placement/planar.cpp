@@ -78,7 +78,8 @@ class Planar {
     positions_.push_back(std::move(position));
     information_.push_back({kind, carrier});
     const long count = static_cast<long>(positions_.size());
-    if (limits_.max_points > 0 && count > limits_.max_points) throw LimitReached("max-points", count);
+    // The few points before the estimate are no reason to stop without one.
+    if (estimated_ && limits_.max_points > 0 && count > limits_.max_points) throw LimitReached("max-points", count);
     if ((count & 255) == 0) {
       progress_.at("placing points", count);
       if (progress_.stop_requested(count)) throw LimitReached("stopped", count);
@@ -252,6 +253,7 @@ class Planar {
     // Measured: Chew's rule with the threshold (17/16) h leaves one point for 1.76 h^2 (docs/performance.md, planar strategies).
     points += area / (1.76 * h_ * h_);
     progress_.estimated(points);
+    estimated_ = true;
     if (limits_.max_points > 0 && points > estimate_margin * static_cast<double>(limits_.max_points))
       throw LimitReached("max-points", static_cast<long>(positions_.size()));
   }
@@ -430,6 +432,7 @@ class Planar {
   double phi_ = 0, beta_ = 0, r_ = 0, h_ = 0;
   mpq_class cosine_, radius_, spacing_;
   int bits_ = 0, boxes_ = 0;
+  bool estimated_ = false;
   Placement placement_;
 };
 
