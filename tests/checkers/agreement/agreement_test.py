@@ -20,8 +20,9 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.normpath(os.path.join(HERE, "..", "..", ".."))
-sys.path[:0] = [HERE, os.path.join(HERE, "..", "verified")]
+sys.path[:0] = [HERE, os.path.join(HERE, "..", "verified"), os.path.join(ROOT, "tests", "pipeline")]
 import complexes
+import inputs
 import mutants
 
 MOST_POINTS = 4000    # more is UNDECIDED, and left out
@@ -61,7 +62,7 @@ def conform(binary, source, certificate, *options):
 
 def sources(folder, count, seed):
     examples = os.path.join(ROOT, "examples")
-    for name in sorted(os.listdir(examples)):
+    for name in sorted(inputs.EXAMPLES):
         yield name, os.path.join(examples, name)
     for name, suffix, text in complexes.generate(count, seed):
         path = os.path.join(folder, name + suffix)
