@@ -40,13 +40,7 @@ public:
         sphere_.setCell(*cell_);
         sphere_.computeBounds();
         violating_ = crossing_ = none;
-        if (sphere_.boundsFit()) {
-            ShortReach reach(sphere_);
-            search(reach);
-        } else {
-            LongReach reach(sphere_);
-            search(reach);
-        }
+        withReach(sphere_, [this](auto& reach) { search(reach); });
         if (violating_ != none) shared_.emptiness.offer(line_, objectName("cell", t, "point", violating_));
         if (crossing_ != none) shared_.tie.offer(line_, objectName("cell", t, "point", crossing_));
     }
@@ -139,13 +133,7 @@ public:
         line_ = c_.hangingLine + h;
         sphere_.computeBounds();
         violating_ = none;
-        if (sphere_.boundsFit()) {
-            ShortReach reach(sphere_);
-            search(reach);
-        } else {
-            LongReach reach(sphere_);
-            search(reach);
-        }
+        withReach(sphere_, [this](auto& reach) { search(reach); });
         if (violating_ != none) earliest_.offer(c_.hangingLine + h, objectName("subsegment", h, "point", violating_));
     }
     void near(std::uint32_t x) {

@@ -59,6 +59,18 @@ struct LongReach : Reach {
     Integer sum, gap;
 };
 
+// Calls search(reach) with the sphere's reach, in machine words where its bounds fit.
+template <class Search>
+void withReach(const Sphere& sphere, const Search& search) {
+    if (sphere.boundsFit()) {
+        ShortReach reach(sphere);
+        search(reach);
+    } else {
+        LongReach reach(sphere);
+        search(reach);
+    }
+}
+
 class Index {
 public:
     Index(const Certificate& certificate, unsigned threads);  // of all points

@@ -18,13 +18,7 @@ public:
         violating_ = none;
         sphere_.setCell(i_.c.cells[t]);
         sphere_.computeBounds();
-        if (sphere_.boundsFit()) {
-            ShortReach reach(sphere_);
-            search(reach);
-        } else {
-            LongReach reach(sphere_);
-            search(reach);
-        }
+        withReach(sphere_, [this](auto& reach) { search(reach); });
         return violating_;
     }
     void near(std::uint32_t x) {
