@@ -47,8 +47,6 @@ struct ConformOptions {
   bool json = false, quiet = false;
 };
 
-const char* const point_kinds[] = {"vertex", "projection", "edge", "offset", "arc", "interior"};
-
 struct Run {
   explicit Run(const ConformOptions& given) : options(given), meter(given.time_limit, given.memory_limit, !given.quiet) {}
 
@@ -96,8 +94,8 @@ const char* explanation(const std::string& statement) {
 void describe(Run& run, const Placement& placement, const CertificateSummary& summary) {
   std::map<std::string, long> kinds, cells;
   for (const PlacedPoint& point : placement.points)
-    if (point.kind != PointKind::vertex) ++kinds[point_kinds[static_cast<int>(point.kind)]];
-  for (const PlacedCell& cell : placement.cells) ++cells[std::string(1, "TSRC"[static_cast<int>(cell.kind)])];
+    if (point.kind != PointKind::vertex) ++kinds[name_of(point.kind)];
+  for (const PlacedCell& cell : placement.cells) ++cells[std::string(1, name_of(cell.kind))];
   long steiner = 0;
   std::string by_kind;
   for (const auto& [kind, count] : kinds) {

@@ -19,6 +19,13 @@ enum class PointKind : unsigned char { vertex, projection, edge, offset, arc, in
 /// Kinds of cells: T at an edge's end, spoke S, rectangle R (two triangles), any other triangle C.
 enum class CellKind : unsigned char { T, S, R, C };
 
+/// As certificates spell them; `vertex` has no record there.
+inline const char* name_of(PointKind kind) {
+  static constexpr const char* names[] = {"vertex", "projection", "edge", "offset", "arc", "interior"};
+  return names[static_cast<int>(kind)];
+}
+inline char name_of(CellKind kind) { return "TSRC"[static_cast<int>(kind)]; }
+
 struct PlacedPoint {
   Point position;
   PointKind kind = PointKind::vertex;

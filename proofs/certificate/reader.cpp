@@ -328,20 +328,6 @@ std::string decompressed(const io::Source& source) {
 
 }  // namespace
 
-const char* name_of(PointKind kind) {
-  switch (kind) {
-    case PointKind::projection: return "projection";
-    case PointKind::edge: return "edge";
-    case PointKind::offset: return "offset";
-    case PointKind::arc: return "arc";
-    case PointKind::interior: return "interior";
-    case PointKind::vertex: break;
-  }
-  return "vertex";
-}
-
-char name_of(CellKind kind) { return "TSRC"[static_cast<int>(kind)]; }
-
 double HomogeneousPoint::approximate(int axis) const {
   // mpq_get_d truncates; mpfr rounds, and needs no gcd.
   mpfr_t value;

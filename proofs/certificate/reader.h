@@ -82,8 +82,4 @@ Certificate read_certificate(const std::string& path);
 /// The same from text; `file` is for messages.
 Certificate parse_certificate(const std::string& file, const std::string& text);
 
-/// Names as they stand in certificates.
-const char* name_of(PointKind kind);
-char name_of(CellKind kind);
-
 }  // namespace confidel

@@ -9,20 +9,6 @@
 namespace confidel {
 namespace {
 
-const char* name_of(PointKind kind) {
-  switch (kind) {
-    case PointKind::projection: return "projection";
-    case PointKind::edge: return "edge";
-    case PointKind::offset: return "offset";
-    case PointKind::arc: return "arc";
-    case PointKind::interior: return "interior";
-    case PointKind::vertex: break;
-  }
-  throw std::logic_error("certificate: a vertex among the Steiner points");
-}
-
-char name_of(CellKind kind) { return "TSRC"[static_cast<int>(kind)]; }
-
 std::string rational(const mpq_class& value) { return value.get_num().get_str(16) + '/' + value.get_den().get_str(16); }
 
 /// X Y Z W with the smallest common W.
@@ -104,6 +90,7 @@ CertificateSummary write_certificate(const std::string& path, const std::string&
   file.write(fmt::format("points {}\n", placement.points.size() - vertices));
   for (std::size_t id = vertices; id < placement.points.size(); ++id) {
     const PlacedPoint& point = placement.points[id];
+    if (point.kind == PointKind::vertex) throw std::logic_error("certificate: a vertex among the Steiner points");
     const std::string position = placement.rational_positions.empty() ? canonical_point(point.position.scaled(complex.scale), complex.dimension)
                                                                       : homogeneous(placement.rational_positions[id], complex.dimension);
     file.write(fmt::format("q {} {} {}\n", name_of(point.kind), point.carrier, position));
