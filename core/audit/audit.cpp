@@ -157,11 +157,9 @@ class Auditor {
     const Double3 u = approximate_difference(b, a), w = approximate_difference(c, a), n = cross(u, w);
     const double radius = length(u) * length(w) * length(u - w) / (2 * length(n));
     const Double3 steered{mpz_class(normal.vector[0]).get_d(), mpz_class(normal.vector[1]).get_d(), mpz_class(normal.vector[2]).get_d()};
-    mpq_class offset = choose_offset(low, high, radius / std::ldexp(length(steered), -normal.exponent));
+    const mpq_class offset = choose_offset(low, high, radius / std::ldexp(length(steered), -normal.exponent));
     // t n is a length: in the input's coordinates n grows by 4^scale and lengths by 2^scale.
-    if (complex_.scale >= 0) mpq_div_2exp(offset.get_mpq_t(), offset.get_mpq_t(), static_cast<mp_bitcnt_t>(complex_.scale));
-    else mpq_mul_2exp(offset.get_mpq_t(), offset.get_mpq_t(), static_cast<mp_bitcnt_t>(-complex_.scale));
-    return offset;
+    return times_power_of_two(offset, -complex_.scale);
   }
 
   AuditedPart audit_segment(SegmentId s) const {

@@ -12,15 +12,8 @@ namespace {
 
 using Rational3 = std::array<mpq_class, 3>;
 
-mpq_class coordinate(const Point& point, int axis) {
-  mpq_class result(point.numerator(axis));
-  if (point.exponent() >= 0) mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(point.exponent()));
-  else mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-point.exponent()));
-  return result;
-}
-
 Rational3 step(const Point& to, const Point& from) {
-  return {coordinate(to, 0) - coordinate(from, 0), coordinate(to, 1) - coordinate(from, 1), coordinate(to, 2) - coordinate(from, 2)};
+  return {rational_coordinate(to, 0) - rational_coordinate(from, 0), rational_coordinate(to, 1) - rational_coordinate(from, 1), rational_coordinate(to, 2) - rational_coordinate(from, 2)};
 }
 Rational3 product(const Rational3& a, const Rational3& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 mpq_class inner(const Rational3& a, const Rational3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }

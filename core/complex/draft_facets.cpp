@@ -135,7 +135,7 @@ class FacetReader {
   double relative_distance(VertexId vertex, const mpq_class& diameter_squared) const {
     const Difference offset = difference(draft_.vertices[vertex], draft_.vertices[plane_[0]]);
     const mpz_class along = dot(offset.vector, result_.normal);
-    mpq_class ratio = over_power_of_two(along * along, 2 * offset.exponent);
+    mpq_class ratio = times_power_of_two(mpq_class(along * along), -2 * offset.exponent);
     ratio /= diameter_squared * dot(result_.normal, result_.normal);
     // The square may be too small for a double when its root is not.
     return square_root(ratio);
@@ -156,19 +156,10 @@ class FacetReader {
     mpq_class greatest = 0;
     for (const VertexId corner : corners_) {
       const Difference reach = difference(draft_.vertices[corner], draft_.vertices[plane_[0]]);
-      const mpq_class square = over_power_of_two(dot(reach.vector, reach.vector), 2 * reach.exponent);
+      const mpq_class square = times_power_of_two(dot(reach.vector, reach.vector), -2 * reach.exponent);
       if (square > greatest) greatest = square;
     }
     return greatest;
-  }
-
-  static mpq_class over_power_of_two(const mpz_class& numerator, int exponent) {
-    mpq_class value(numerator);
-    if (exponent >= 0)
-      mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-    else
-      mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-    return value;
   }
 
   void collect_edges() {
@@ -206,7 +197,7 @@ class FacetReader {
     for (std::size_t i = 1; i + 1 < loop.size(); ++i) {
       const Difference a = difference(draft_.vertices[loop[i]], origin);
       const Difference b = difference(draft_.vertices[loop[i + 1]], origin);
-      sum += over_power_of_two(dot(cross(a.vector, b.vector), result_.normal), a.exponent + b.exponent);
+      sum += times_power_of_two(dot(cross(a.vector, b.vector), result_.normal), -(a.exponent + b.exponent));
     }
     return sgn(sum);
   }

@@ -34,15 +34,6 @@ Projection broadest_projection(const std::array<double, 3>& u, const std::array<
   return projection;
 }
 
-mpq_class coordinate(const Point& point, int axis) {
-  mpq_class value(point.numerator(axis));
-  if (point.exponent() >= 0)
-    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(point.exponent()));
-  else
-    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-point.exponent()));
-  return value;
-}
-
 /// orientation, without asking the exact stage about corners that are the same.
 int orientation_of(const Point* a, const Point* b, const Point* c, const Point* d) {
   if (a == b || a == c || a == d || b == c || b == d || c == d) return 0;
@@ -122,12 +113,12 @@ std::array<mpq_class, 3> crossing_point(const Point& a, const Point& b, const Po
   const int axis = common_projection(a, b, c, d).axis;
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   const auto across = [&](const Point& from, const Point& to) -> mpq_class {
-    return (coordinate(to, i) - coordinate(from, i)) * (coordinate(d, j) - coordinate(c, j)) -
-           (coordinate(to, j) - coordinate(from, j)) * (coordinate(d, i) - coordinate(c, i));
+    return (rational_coordinate(to, i) - rational_coordinate(from, i)) * (rational_coordinate(d, j) - rational_coordinate(c, j)) -
+           (rational_coordinate(to, j) - rational_coordinate(from, j)) * (rational_coordinate(d, i) - rational_coordinate(c, i));
   };
   const mpq_class parameter = across(a, c) / across(a, b);
   std::array<mpq_class, 3> point;
-  for (int k = 0; k < 3; ++k) point[k] = coordinate(a, k) + parameter * (coordinate(b, k) - coordinate(a, k));
+  for (int k = 0; k < 3; ++k) point[k] = rational_coordinate(a, k) + parameter * (rational_coordinate(b, k) - rational_coordinate(a, k));
   return point;
 }
 

@@ -6,18 +6,13 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/numbers/point.h"
+
 namespace confidel {
 
 namespace {
 
 mpq_class dot(const std::array<mpq_class, 3>& x, const std::array<mpq_class, 3>& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
-
-mpq_class times_power_of_two(const mpz_class& mantissa, long exponent) {
-  mpq_class value(mantissa);
-  if (exponent >= 0) mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), exponent);
-  else mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), -exponent);
-  return value;
-}
 
 }  // namespace
 

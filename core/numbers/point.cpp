@@ -138,6 +138,16 @@ void make_primitive(IntegerVector& vector) {
     for (auto& value : vector) mpz_divexact(value.get_mpz_t(), value.get_mpz_t(), divisor.get_mpz_t());
 }
 
+mpq_class times_power_of_two(mpq_class value, long power) {
+  if (power >= 0)
+    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(power));
+  else
+    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-power));
+  return value;
+}
+
+mpq_class rational_coordinate(const Point& point, int axis) { return times_power_of_two(point.numerator(axis), -static_cast<long>(point.exponent())); }
+
 mpz_class rounded(double value) {
   // mpz_set_d truncates: round first; beyond 2^53 every double is an integer.
   return mpz_class(std::abs(value) < 0x1p53 ? std::nearbyint(value) : value);

@@ -79,6 +79,12 @@ mpz_class dot(const IntegerVector& a, const IntegerVector& b);
 /// Divides by the gcd of the entries (nothing for the zero vector). Keeps the direction.
 void make_primitive(IntegerVector& vector);
 
+/// value * 2^power, exactly.
+mpq_class times_power_of_two(mpq_class value, long power);
+
+/// A coordinate as a rational number, exactly.
+mpq_class rational_coordinate(const Point& point, int axis);
+
 /// The nearest integer to value, exactly for every finite double beyond 2^53.
 mpz_class rounded(double value);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/numbers/point.h"
+
 namespace confidel {
 
 RationalPoint2 operator+(const RationalPoint2& a, const RationalPoint2& b) { return {a[0] + b[0], a[1] + b[1]}; }
@@ -15,8 +17,7 @@ mpq_class cross(const RationalPoint2& a, const RationalPoint2& b) { return a[0] 
 RationalPoint2 point_of_unit_circle(double angle, int bits) {
   const double quarter = std::numbers::pi / 2;
   const double turns = std::nearbyint(angle / quarter);
-  mpq_class t(mpz_class(std::nearbyint(std::ldexp(std::tan((angle - turns * quarter) / 2), bits))));
-  mpq_div_2exp(t.get_mpq_t(), t.get_mpq_t(), bits);
+  const mpq_class t = times_power_of_two(mpz_class(std::nearbyint(std::ldexp(std::tan((angle - turns * quarter) / 2), bits))), -bits);
   const mpq_class square = t * t, scale = 1 + square;
   mpq_class x = (1 - square) / scale, y = 2 * t / scale;
   switch (static_cast<long>(turns) & 3) {

@@ -27,13 +27,6 @@ std::vector<Side> sides_of(const Element& e) {
   return {sorted_side({e[1], e[2], e[3]}), sorted_side({e[0], e[2], e[3]}), sorted_side({e[0], e[1], e[3]}), sorted_side({e[0], e[1], e[2]})};
 }
 
-mpq_class coordinate(const Point& point, int axis) {
-  mpq_class result(point.numerator(axis));
-  if (point.exponent() >= 0) mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(point.exponent()));
-  else mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), static_cast<mp_bitcnt_t>(-point.exponent()));
-  return result;
-}
-
 class Maker {
  public:
   Maker(const Complex& complex, const Input& input, const Placement& placement) : complex_(complex), input_(input), placement_(placement) {}
@@ -280,7 +273,7 @@ class Maker {
       mpq_class squared;
       for (int axis = 0; axis < 3; ++axis) {
         doubles[axis] = at.high(axis) + at.low(axis);
-        const mpq_class value = placement_.rational_positions.empty() ? coordinate(at, axis) : placement_.rational_positions[id][axis];
+        const mpq_class value = placement_.rational_positions.empty() ? rational_coordinate(at, axis) : placement_.rational_positions[id][axis];
         const mpq_class step = value - mpq_class(doubles[axis]);
         squared += step * step;
         if (exact) texts[axis] = value.get_str();

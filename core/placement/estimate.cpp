@@ -49,11 +49,7 @@ std::vector<int> planes_of(const Complex& complex) {
       for (auto& value : normal) value = -value;
     const Point& base = complex.vertices[facet.frame[0]];
     const mpz_class level = dot(normal, {base.numerator(0), base.numerator(1), base.numerator(2)});
-    mpq_class place(level);
-    if (base.exponent() >= 0)
-      mpq_div_2exp(place.get_mpq_t(), place.get_mpq_t(), base.exponent());
-    else
-      mpq_mul_2exp(place.get_mpq_t(), place.get_mpq_t(), -base.exponent());
+    const mpq_class place = times_power_of_two(level, -base.exponent());
     planes.push_back(names.try_emplace({normal[0].get_str(36), normal[1].get_str(36), normal[2].get_str(36), place.get_str(36)},
                                        static_cast<int>(names.size())).first->second);
   }

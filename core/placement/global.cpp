@@ -41,7 +41,7 @@ class GlobalStrategy {
  public:
   GlobalStrategy(const Complex& complex, const Features& features, const GlobalRule& rule, const Limits& limits, Progress& progress)
       : complex_(complex), rule_(rule), limits_(limits), progress_(progress), sizes_(global_sizes(features, rule)),
-        zones_(complex, buffer_sizes(complex, features, sizes_), BufferZones::Stage::ends), index_(make_index(complex)) {
+        zones_(complex, buffer_sizes(complex, features, sizes_), BufferZones::Stage::ends), index_(complex.vertices) {
     spacing_.place = sizes_.greatest_spacing;
     spacing_.least = spacing_.place * rule.least_share;
   }
@@ -73,16 +73,6 @@ class GlobalStrategy {
   }
 
  private:
-  static PointIndex make_index(const Complex& complex) {
-    PointIndex::Position low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    for (const Point& p : complex.vertices)
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], p.approximate(axis));
-        high[axis] = std::max(high[axis], p.approximate(axis));
-      }
-    return PointIndex(low, high);
-  }
-
   void index_new_points() {
     for (int id = static_cast<int>(index_.size()); id < zones_.point_count(); ++id) index_.insert(id, zones_.point(id).approximate());
     progress_.at("placing points", zones_.point_count());

@@ -50,7 +50,7 @@ constexpr double estimate_margin = 2;
 class Refinement {
  public:
   Refinement(const Complex& complex, const Features& features, const Limits& limits, Progress& progress)
-      : complex_(complex), features_(features), limits_(limits), progress_(progress), sizes_(graded_sizes(complex, features)), zones_(complex, sizes_), all_(make_index()) {
+      : complex_(complex), features_(features), limits_(limits), progress_(progress), sizes_(graded_sizes(complex, features)), zones_(complex, sizes_), all_(complex.vertices) {
     for (const Facet& facet : complex.facets) {
       projections_.push_back(projection_of(facet.normal));
       double reach = 0;
@@ -75,16 +75,6 @@ class Refinement {
   }
 
  private:
-  PointIndex make_index() const {
-    PointIndex::Position low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    for (const Point& p : complex_.vertices)
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], p.approximate(axis));
-        high[axis] = std::max(high[axis], p.approximate(axis));
-      }
-    return PointIndex(low, high);
-  }
-
   void index_new_points() {
     for (int id = static_cast<int>(all_.size()); id < zones_.point_count(); ++id) all_.insert(id, zones_.point(id).approximate());
     progress_.at("placing points", zones_.point_count());
@@ -96,7 +86,7 @@ class Refinement {
 
   // An index of the points since a given one; cells that were free before need to be tested against these only.
   PointIndex recent_points(int since) const {
-    PointIndex recent = make_index();
+    PointIndex recent(complex_.vertices);
     for (int id = since; id < zones_.point_count(); ++id) recent.insert(id, zones_.point(id).approximate());
     return recent;
   }

@@ -60,12 +60,8 @@ Placement result(const LeanState& state) {
   for (FacetId f = 0; f < static_cast<FacetId>(complex.facets.size()); ++f) {
     const Difference normal = certificate_normal(complex, complex.facets[f]);
     for (const Triangle& t : state.planar(f).triangles()) {
-      mpq_class offset = offset_of(state, f, t, normal);
       // t n is a length: in the input's coordinates n grows by 4^scale and lengths by 2^scale.
-      if (complex.scale >= 0)
-        mpq_div_2exp(offset.get_mpq_t(), offset.get_mpq_t(), complex.scale);
-      else
-        mpq_mul_2exp(offset.get_mpq_t(), offset.get_mpq_t(), -complex.scale);
+      mpq_class offset = times_power_of_two(offset_of(state, f, t, normal), -complex.scale);
       placement.cells.push_back({f, {names[t[0]], names[t[1]], names[t[2]]}, CellKind::C, -1, std::move(offset)});
     }
   }

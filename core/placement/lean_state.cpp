@@ -17,21 +17,11 @@ std::uint64_t key(int a, int b) {
 }  // namespace
 
 LeanState::LeanState(const Complex& complex, const Features& features, const Limits& limits, Progress& progress)
-    : complex_(complex), sizes_(graded_sizes(complex, features)), limits_(limits), progress_(progress), index_(make_index()) {
+    : complex_(complex), sizes_(graded_sizes(complex, features)), limits_(limits), progress_(progress), index_(complex.vertices) {
   const long entities = static_cast<long>(complex.vertices.size() + complex.segments.size() + complex.facets.size());
   budget_ = 40000 + 128 * entities;
   early_ = 256 + 8 * entities;
   build();
-}
-
-PointIndex LeanState::make_index() const {
-  PointIndex::Position low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (const Point& p : complex_.vertices)
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p.approximate(axis));
-      high[axis] = std::max(high[axis], p.approximate(axis));
-    }
-  return PointIndex(low, high);
 }
 
 void LeanState::build() {

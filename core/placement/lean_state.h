@@ -120,7 +120,6 @@ class LeanState {
   void examine(FacetId facet, const Triangle& triangle);
 
  private:
-  PointIndex make_index() const;
   void build();
   const std::vector<FacetId>& facets_of(int id) const;
   bool hanging_encroached(int a, int b) const;

@@ -13,14 +13,6 @@ constexpr int radius_bits = 40, offset_bits = 40;
 // An offset is claimed a little smaller than it was chosen, so that rounded cosines leave room: far within the 1/32 that H-offset allows.
 constexpr double claimed_offset = 1 - 0x1p-16;
 
-mpq_class in_input_coordinates(mpq_class length, int scale) {
-  if (scale >= 0)
-    mpq_mul_2exp(length.get_mpq_t(), length.get_mpq_t(), static_cast<mp_bitcnt_t>(scale));
-  else
-    mpq_div_2exp(length.get_mpq_t(), length.get_mpq_t(), static_cast<mp_bitcnt_t>(-scale));
-  return length;
-}
-
 /// Kinds are as H-ball and the lemmas on T, S, R and C cells need them: a vertex that is isolated in a facet and has no ball is a corner of
 /// C cells, about which they say nothing.
 bool protects_everything(const Placement& placement) {
@@ -46,12 +38,12 @@ void claim_local(const Complex& complex, const Features& features, const BufferS
   }
   Parameters& parameters = placement.parameters;
   for (std::size_t v = 0; v < ball.size(); ++v)
-    if (ball[v]) parameters.balls.push_back({static_cast<VertexId>(v), in_input_coordinates(rounded_down(sizes.radius[v], radius_bits), complex.scale)});
+    if (ball[v]) parameters.balls.push_back({static_cast<VertexId>(v), times_power_of_two(rounded_down(sizes.radius[v], radius_bits), complex.scale)});
   for (std::size_t s = 0; s < row.size(); ++s) {
     if (!row[s]) continue;
     Parameters::Row claimed;
     claimed.segment = static_cast<SegmentId>(s);
-    claimed.offset = in_input_coordinates(rounded_down(sizes.offset[s] * claimed_offset, offset_bits), complex.scale);
+    claimed.offset = times_power_of_two(rounded_down(sizes.offset[s] * claimed_offset, offset_bits), complex.scale);
     for (int end = 0; end < 2; ++end) {
       // graded_sizes: at most r sin(min(theta/3, 0.7 omega, pi/6)). Three times the first angle, and ten times the second, stay below pi.
       claimed.edge_cosine[end] = witness_of_angle(std::min(features.segment_angle[s][end] / 3, std::numbers::pi / 6));

@@ -7,17 +7,6 @@
 namespace confidel {
 namespace {
 
-mpq_class scaled(const mpz_class& value, int exponent) {
-  mpq_class result(value);
-  if (exponent >= 0)
-    mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), exponent);
-  else
-    mpq_mul_2exp(result.get_mpq_t(), result.get_mpq_t(), -exponent);
-  return result;
-}
-
-mpq_class power_of_two(int exponent) { return scaled(1, -exponent); }
-
 // The multiple of 2^-k in [low, high] for the smallest k that has one; of several the one of least magnitude.
 mpq_class simplest_dyadic(const mpq_class& low, const mpq_class& high) {
   if (low <= 0 && high >= 0) return 0;
@@ -28,10 +17,10 @@ mpq_class simplest_dyadic(const mpq_class& low, const mpq_class& high) {
   const double size = high.get_d();
   if (size > 0 && std::isfinite(size)) k = -static_cast<int>(std::ceil(std::log2(size))) - 1;
   for (;; ++k) {
-    const mpq_class grid = low * power_of_two(k);
+    const mpq_class grid = low * times_power_of_two(1, k);
     mpz_class multiple;
     mpz_cdiv_q(multiple.get_mpz_t(), grid.get_num().get_mpz_t(), grid.get_den().get_mpz_t());
-    const mpq_class candidate = mpq_class(multiple) * power_of_two(-k);
+    const mpq_class candidate = mpq_class(multiple) * times_power_of_two(1, -k);
     if (candidate <= high) return candidate;
   }
 }
@@ -70,11 +59,7 @@ ScaledPower scaled_power(const Point& a, const Point& b, const Point& c, const P
 // value / 2^exponent.
 mpq_class divided(mpq_class value, int exponent) {
   value.canonicalize();
-  if (exponent >= 0)
-    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), exponent);
-  else
-    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), -exponent);
-  return value;
+  return times_power_of_two(std::move(value), -exponent);
 }
 
 }  // namespace
@@ -96,7 +81,7 @@ mpq_class choose_offset(const std::optional<mpq_class>& low, const std::optional
   if (low && high)
     margin = (*high - *low) / 4;
   else
-    margin = power_of_two(static_cast<int>(std::floor(std::log2(std::max(scale, 1e-300)))) - 2);
+    margin = times_power_of_two(1, static_cast<int>(std::floor(std::log2(std::max(scale, 1e-300)))) - 2);
   if (low && high) return simplest_dyadic(*low + margin, *high - margin);
   // One side is open: not farther away than needed, or the sphere becomes huge.
   if (low) return *low + margin <= 0 ? mpq_class(0) : simplest_dyadic(*low + margin, *low + 2 * margin);

@@ -21,17 +21,7 @@ constexpr double estimate_margin = 1.5;
 
 double approximate(const mpq_class& value) { return value.get_d(); }
 
-mpq_class power_of_two(long exponent) {
-  mpq_class value = 1;
-  if (exponent >= 0) mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), exponent);
-  else mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), -exponent);
-  return value;
-}
-
-RationalPoint2 rational(const Point& point) {
-  const mpq_class unit = power_of_two(-point.exponent());
-  return {point.numerator(0) * unit, point.numerator(1) * unit};
-}
+RationalPoint2 rational(const Point& point) { return {rational_coordinate(point, 0), rational_coordinate(point, 1)}; }
 
 class Planar {
  public:
@@ -104,7 +94,7 @@ class Planar {
     cosine_ = witness_of_angle(phi_ / options_.rule.angle_multiple);
     double radius = delta / 3;
     if (options_.greatest_circumradius) {
-      const mpq_class bound = *options_.greatest_circumradius * power_of_two(-complex_.scale) * mpq_class(19, 10);
+      const mpq_class bound = times_power_of_two(*options_.greatest_circumradius, -complex_.scale) * mpq_class(19, 10);
       radius = std::min(radius, approximate(bound));
     }
     if (!std::isfinite(radius)) radius = 1;  // nothing is near anything
@@ -250,7 +240,7 @@ class Planar {
     double area = 0;
     for (const Facet& facet : complex_.facets)
       for (const auto& [a, c] : facet.boundary) area += approximate(cross(positions_[a], positions_[c])) / 2;
-    // Measured: Chew's rule with the threshold (17/16) h leaves one point for 1.76 h^2 (docs/performance.md, planar strategies).
+    // Measured: Chew's rule with the threshold (17/16) h leaves one point for 1.76 h^2; planar_test holds the estimate within a factor of 2.
     points += area / (1.76 * h_ * h_);
     progress_.estimated(points);
     estimated_ = true;
@@ -361,7 +351,7 @@ class Planar {
   }
 
   void state_parameters() {
-    const mpq_class unit = power_of_two(complex_.scale);
+    const mpq_class unit = times_power_of_two(1, complex_.scale);
     Parameters& parameters = placement_.parameters;
     parameters.radius = radius_ * unit;
     parameters.spacing = spacing_ * unit;
@@ -374,7 +364,7 @@ class Planar {
   }
 
   Placement result() {
-    const mpq_class unit = power_of_two(complex_.scale);
+    const mpq_class unit = times_power_of_two(1, complex_.scale);
     for (std::size_t i = 0; i < positions_.size(); ++i) {
       const RationalPoint2& p = positions_[i];
       const Point position = i < complex_.vertices.size() ? complex_.vertices[i] : Point::from_doubles(approximate(p[0]), approximate(p[1]), 0);
@@ -394,7 +384,7 @@ class Planar {
   Placement refuted(const Sector& sector) {
     const std::array<int, 4> witness{sector.first_projection, sector.first, sector.last, sector.last_projection};
     const RationalPoint2 v = positions_[sector.vertex], a = positions_[sector.first], m = positions_[sector.last_projection];
-    const mpq_class unit = power_of_two(complex_.scale);
+    const mpq_class unit = times_power_of_two(1, complex_.scale);
     const int count = static_cast<int>(complex_.vertices.size());
     std::vector<RationalPoint2> kept(positions_.begin(), positions_.begin() + count);
     std::vector<Information> kinds(information_.begin(), information_.begin() + count);

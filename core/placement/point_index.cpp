@@ -7,6 +7,15 @@ namespace confidel {
 namespace {
 constexpr int bucket_size = 8;
 constexpr int greatest_depth = 80;
+
+// The lowest (sign -1) or highest (1) coordinates.
+PointIndex::Position corner(const std::vector<Point>& points, int sign) {
+  PointIndex::Position extreme;
+  extreme.fill(-sign * 1e300);
+  for (const Point& p : points)
+    for (int axis = 0; axis < 3; ++axis) extreme[axis] = sign * std::max(sign * extreme[axis], sign * p.approximate(axis));
+  return extreme;
+}
 }  // namespace
 
 PointIndex::PointIndex(const Position& low, const Position& high) {
@@ -17,6 +26,8 @@ PointIndex::PointIndex(const Position& low, const Position& high) {
   }
   nodes_.emplace_back();
 }
+
+PointIndex::PointIndex(const std::vector<Point>& points) : PointIndex(corner(points, -1), corner(points, 1)) {}
 
 void PointIndex::insert(int id, const Position& position) {
   // A point outside the root's box would be missed by pruning: grow the box. Its octant lists stay valid only in an empty tree,

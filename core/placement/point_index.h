@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/numbers/point.h"
+
 namespace confidel {
 
 /// Insert-only. Query results are a superset of the exact ones as long as the caller inflates its ball by the error of its centre:
@@ -16,6 +18,8 @@ class PointIndex {
 
   /// A box that contains every point that will be inserted (others are accepted, but make queries slow).
   PointIndex(const Position& low, const Position& high);
+  /// Empty, with a box that contains these points.
+  explicit PointIndex(const std::vector<Point>& points);
 
   void insert(int id, const Position& position);
   bool empty() const { return positions_.empty(); }

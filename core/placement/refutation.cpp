@@ -11,14 +11,6 @@
 namespace confidel {
 namespace {
 
-mpq_class times_power_of_two(mpq_class value, int power) {
-  if (power >= 0)
-    mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), power);
-  else
-    mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), -power);
-  return value;
-}
-
 // A cell with its points at hand.
 struct CellView {
   CellView(const BufferZones& zones, const BufferCell& cell) : zones_(zones), reference(cell) {

@@ -12,6 +12,8 @@
 #include <deque>
 #include <stdexcept>
 
+#include "core/numbers/point.h"
+
 namespace confidel {
 
 namespace {
@@ -109,14 +111,10 @@ std::vector<RationalRegion::Step> RationalRegion::refine(const mpq_class& thresh
       if (std::abs(scaled) < 0x1p52 && error < 0.25) {
         multiple = mpz_class(std::nearbyint(scaled));
       } else {
-        mpq_class exact = rational(value);
-        mpq_mul_2exp(exact.get_mpq_t(), exact.get_mpq_t(), bits);
-        exact += mpq_class(1, 2);
+        const mpq_class exact = times_power_of_two(rational(value), bits) + mpq_class(1, 2);
         mpz_fdiv_q(multiple.get_mpz_t(), exact.get_num_mpz_t(), exact.get_den_mpz_t());
       }
-      mpq_class result(multiple);
-      mpq_div_2exp(result.get_mpq_t(), result.get_mpq_t(), bits);
-      return result;
+      return times_power_of_two(multiple, -bits);
     };
     const RationalPoint2 position{rounded(centre.x()), rounded(centre.y())};
     const Kernel::Point_2 point(number(position[0]), number(position[1]));

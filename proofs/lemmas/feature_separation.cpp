@@ -10,16 +10,8 @@
 namespace confidel::statements {
 namespace {
 
-mpq_class to_segment(const RationalVector& x, const RationalVector& a, const RationalVector& b) {
-  const RationalVector along = minus(b, a), from = minus(x, a);
-  const mpq_class t = dot(along, from), length = squared(along);
-  if (t <= 0) return squared(from);
-  if (t >= length) return squared(minus(x, b));
-  return squared(from) - square(t) / length;
-}
-
 mpq_class between_segments(const RationalVector& a, const RationalVector& b, const RationalVector& c, const RationalVector& d) {
-  mpq_class least = std::min({to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b)});
+  mpq_class least = std::min({squared_distance_to_segment(a, c, d), squared_distance_to_segment(b, c, d), squared_distance_to_segment(c, a, b), squared_distance_to_segment(d, a, b)});
   const RationalVector u = minus(b, a), v = minus(d, c), n = cross(u, v), w = minus(c, a);
   const mpq_class size = squared(n);
   if (size == 0) return least;
@@ -85,7 +77,7 @@ class Separation {
     }, instance_.lines.points, own, "vertex");
     search(segments_, [&](int s) -> std::optional<mpq_class> {
       if (instance_.segments[s][0] == v || instance_.segments[s][1] == v) return std::nullopt;
-      return to_segment(instance_.positions[v], instance_.positions[instance_.segments[s][0]], instance_.positions[instance_.segments[s][1]]);
+      return squared_distance_to_segment(instance_.positions[v], instance_.positions[instance_.segments[s][0]], instance_.positions[instance_.segments[s][1]]);
     }, instance_.lines.segments, own, "segment");
     search(facets_, [&](int f) -> std::optional<mpq_class> {
       if (instance_.has_vertex(f, v)) return std::nullopt;

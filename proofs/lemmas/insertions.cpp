@@ -8,14 +8,6 @@
 namespace confidel::statements {
 namespace {
 
-mpq_class squared_distance(const RationalVector& x, const RationalVector& a, const RationalVector& b) {
-  const RationalVector along = minus(b, a), from = minus(x, a);
-  const mpq_class t = dot(along, from), length = squared(along);
-  if (t <= 0) return squared(from);
-  if (t >= length) return squared(minus(x, b));
-  return squared(from) - square(t) / length;
-}
-
 /// What a facet has before its first insertion, and its outline.
 struct FacetState {
   explicit FacetState(const Space& space) : points(space.empty_index()), edges(space.empty_index()) {}
@@ -73,7 +65,7 @@ void insertions(const Instance& instance, Tally& tally) {
       });
       state.edges.visit_ball(space.approximate(insertion.point), reach + state.half_length, [&](int e) {
         const OutlineEdge& edge = instance.outline[e];
-        const mpq_class slack = 4 * squared_distance(centre, p[edge.a], p[edge.b]) / h - 1;
+        const mpq_class slack = 4 * squared_distance_to_segment(centre, p[edge.a], p[edge.b]) / h - 1;
         if (slack < 0) good = false;
         tally.slack(slack, line, [&] { return fmt::format("point-{}-edge-{}-{}", insertion.point, edge.a, edge.b); });
         return false;

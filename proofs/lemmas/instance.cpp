@@ -15,18 +15,7 @@ void make_set(std::vector<T>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-RationalVector rational(const Point& point) {
-  RationalVector result;
-  for (int axis = 0; axis < 3; ++axis) {
-    mpq_class value(point.numerator(axis));
-    if (point.exponent() >= 0)
-      mpq_div_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(point.exponent()));
-    else
-      mpq_mul_2exp(value.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-point.exponent()));
-    result[axis] = std::move(value);
-  }
-  return result;
-}
+RationalVector rational(const Point& point) { return {rational_coordinate(point, 0), rational_coordinate(point, 1), rational_coordinate(point, 2)}; }
 
 }  // namespace
 

@@ -19,6 +19,15 @@ inline RationalVector cross(const RationalVector& a, const RationalVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// Of the point x and the closed segment ab.
+inline mpq_class squared_distance_to_segment(const RationalVector& x, const RationalVector& a, const RationalVector& b) {
+  const RationalVector along = minus(b, a), from = minus(x, a);
+  const mpq_class t = dot(along, from), length = squared(along);
+  if (t <= 0) return squared(from);
+  if (t >= length) return squared(minus(x, b));
+  return squared(from) - square(t) / length;
+}
+
 /// Rounded, for slacks only.
 inline double approximate_cosine(const RationalVector& x, const RationalVector& y) {
   const mpq_class product = dot(x, y);

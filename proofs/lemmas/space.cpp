@@ -6,19 +6,6 @@
 #include "proofs/lemmas/rational_geometry.h"
 
 namespace confidel {
-namespace {
-
-mpq_class shifted(const mpq_class& value, int power) {
-  mpq_class result;
-  if (power >= 0)
-    mpq_mul_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(power));
-  else
-    mpq_div_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-power));
-  return result;
-}
-
-}  // namespace
-
 Space::Space(const Instance& instance) : instance_(instance) {
   long greatest = -1000000;
   for (const RationalVector& position : instance.positions)
@@ -31,7 +18,7 @@ Space::Space(const Instance& instance) : instance_(instance) {
     auto& high = high_.emplace_back();
     auto& low = low_.emplace_back();
     for (int axis = 0; axis < 3; ++axis) {
-      const mpq_class value = shifted(position[axis], scale_);
+      const mpq_class value = times_power_of_two(position[axis], scale_);
       high[axis] = value.get_d();
       low[axis] = mpq_class(value - high[axis]).get_d();
     }
@@ -49,7 +36,7 @@ BoundedVector Space::difference(int to, int from) const {
   return result;
 }
 
-Bounded Space::scaled(const mpq_class& length) const { return rounded(shifted(length, scale_).get_d(), 0); }
+Bounded Space::scaled(const mpq_class& length) const { return rounded(times_power_of_two(length, scale_).get_d(), 0); }
 
 PointIndex Space::empty_index() const {
   PointIndex::Position low{1, 1, 1}, high{-1, -1, -1};
