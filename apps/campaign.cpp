@@ -249,6 +249,7 @@ void add_campaign(CLI::App& app, Selection& selection) {
   cover->add_option("--replay", options->replay, "Run so many of the records again and compare")->check(CLI::NonNegativeNumber)->capture_default_str();
   cover->footer("Exit codes: 0 complete and as expected, 1 unexpected outcomes, 4 no campaign, 5 refused: missing, changed or overlapping blocks.");
   cover->callback([options, &selection] { selection.run = [options] { return run_cover(*options); }; });
+  add_cover_cells(*campaign, selection);
 }
 
 }  // namespace confidel

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/command.h"
 #include "apps/conform_process.h"
 
 namespace confidel {
@@ -61,6 +62,9 @@ Json run_seed(const Plan& plan, std::uint64_t seed, const std::string& strategy,
 
 /// The last line of a summary, and exit_success or exit_refuted (unexpected outcomes).
 int print_summary(const Plan& plan, const std::vector<Json>& records);
+
+/// `campaign cover-cells`.
+void add_cover_cells(CLI::App& campaign, Selection& selection);
 
 /// The smallest slack of each lemma in a conform report, with the object: {"power": {"slack": .., "object": ..}, ...}. "power" is the smallest
 /// relative power off-plane, the slack of emptiness; a checker that tests lemmas adds theirs.

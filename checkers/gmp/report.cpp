@@ -97,6 +97,10 @@ void reportJson(const Options& options, const Check& check, const Outcome& outco
                 ",\"cells\":" + std::to_string(c.cells.size()) + ",\"rows\":" + std::to_string(c.rows.size()) +
                 ",\"hanging\":" + std::to_string(c.hanging.size()) + "}";
     }
+    // What `confidel campaign cover-cells` puts together: of which certificate, and which of its cells.
+    if (!c.digest.empty()) text += ",\"digest\":" + quoted(c.digest);
+    if (check.firstCell < check.endCell)
+        text += ",\"cells-checked\":[" + std::to_string(check.firstCell) + "," + std::to_string(check.endCell - 1) + "]";
     text += ",\"rules\":{";
     for (std::size_t i = 0; i < outcome.passed.size(); ++i) {
         if (i != 0) text += ',';

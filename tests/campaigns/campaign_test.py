@@ -206,6 +206,56 @@ def check_falsify(programs, folder):
     programs.expect(not glob.glob(os.path.join(out, "work-*")), "work files are gone")
 
 
+def check_cover_cells(programs, folder):
+    """Reports on some cells, put together."""
+    certificate, other = (os.path.join(HERE, "..", "certificates", "accept", name) for name in ("claim-all-dim3.cert", "dim3-circle.cert"))
+    cells = json.loads(programs.run(certificate, "--json", program=programs.checker)[1])["records"]["cells"]
+
+    def part(first, last, of=certificate, change=None):
+        path = os.path.join(folder, "part-%d.json" % len(os.listdir(folder)))
+        text = programs.run(of, "--json", "--cells", "%d-%d" % (first, last), program=programs.checker)[1]
+        if change:
+            report = json.loads(text)
+            change(report)
+            text = json.dumps(report)
+        open(path, "w").write(text)
+        return path
+
+    def cover(*arguments):
+        code, out, err = programs.run("campaign", "cover-cells", certificate, *arguments)
+        return code, last_line(out) if code == 0 else err
+
+    a, b, c, middle = part(0, 4), part(5, 8), part(9, 10 * cells), part(4, 8)
+    whole = os.path.join(folder, "whole.json")
+    open(whole, "w").write(programs.run(certificate, "--json", program=programs.checker)[1])
+    for arguments in ((a, b, c), (c, a, b, "--replay", 3), (whole,), (whole, "--replay", 1), (part(0, cells - 1), "--replay", 1)):
+        programs.expect(cover(*arguments) == (0, "s VERIFIED"), "cover-cells of all cells: %s %s" % (arguments, cover(*arguments)))
+
+    def stretch(report):
+        report["cells-checked"] = [5, 9]
+        report["why"] = "cells-5-9"
+
+    def consistent(report):
+        report["claims"][6]["objects"] += 1
+
+    def decided(report):
+        report["verdict"], report["exit"] = "VERIFIED", 0
+
+    for reports, why in [((a, c), "cells 5 to 8 are in no report"), ((b, c), "cells 0 to 4 are in no report"), ((a, b), "cells 9 to"), ((a, middle, c), "overlaps"), ((a, b, b, c), "overlaps"), ((whole, c), "overlaps"),
+                         ((a, part(5, 8, other), c), "another certificate"), ((a, b, c, part(10 * cells, 11 * cells)), "checks no cell"),
+                         ((a, part(5, 8, change=stretch), part(10, cells)), "was changed"), ((a, part(5, 8, change=lambda report: report["rules"].update(tiling=99)), c), "was changed"),
+                         ((a, part(5, 8, change=lambda report: report.update(verdict="REJECTED", exit=5)), c), "not accepted"), ((a, part(5, 8, change=decided), c), "contradicts itself"),
+                         ((a, part(5, 8, change=lambda report: report.update(why="time-limit")), c), "not accepted"), ((a, part(5, 8, change=lambda report: report.update(why="cells-5-9")), c), "contradicts itself"),
+                         ((a, part(5, 8, change=lambda report: report.pop("rules")), c), "no complete report"), ((a, part(5, 8, change=lambda report: report.update({"cells-checked": "x"})), c), "no report"),
+                         ((a, certificate, c), "no report"), ((a, part(5, 8, change=consistent), c, "--replay", 3), "finds something else")]:
+        code, said = cover(*reports)
+        programs.expect(code == 5 and "error[E-COVER]" in said and why in said, "cover-cells refuses (%s): %d %s" % (why, code, said))
+    programs.expect(cover(a, os.path.join(folder, "missing"))[0] == 4, "a report that is not there")
+    rejected = os.path.join(HERE, "..", "certificates", "reject", "emptiness-off-plane-in.cert")
+    code, _, err = programs.run("campaign", "cover-cells", rejected, part(1, 1, rejected))
+    programs.expect(code == 5 and "does not accept" in err, "a certificate that is rejected: %d %s" % (code, err))
+
+
 def main():
     programs = Programs(sys.argv[1])
     with tempfile.TemporaryDirectory() as folder:
@@ -216,6 +266,7 @@ def main():
         check_failures(programs, folder)
         check_shrink(programs, folder)
         check_falsify(programs, folder)
+        check_cover_cells(programs, tempfile.mkdtemp(dir=folder))
     programs.finish()
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Runs a checker on all test certificates: run_certificates.py CHECKER [--no-mutations]
+"""Runs a checker on all test certificates: run_certificates.py CHECKER [--no-mutations | --command-line] [--record-reports]
 
 Compares the exit code and the last line (or the error's code and line) with MANIFEST.tsv; checks that manifest,
-folder and generator agree; tries the command line; and changes each byte of the worked example.
+folder and generator agree; compares reports with REPORTS.tsv and tries the command line (with --command-line these alone); and changes each byte of the worked example.
 """
 import filecmp
 import json
@@ -61,13 +61,18 @@ def check_case(checker, path, code, expected):
         expect(quiet[0] == code and (code == 2 or quiet[1] == expected + "\n"), "%s: --quiet" % path)
 
 
-def check_manifest():
+def manifest():
     cases = []
     with open(os.path.join(CERTIFICATES, "MANIFEST.tsv")) as file:
         for line in file:
             if not line.startswith("#"):
                 path, code, expected, _ = line.rstrip("\n").split("\t")
                 cases.append((path, int(code), expected))
+    return cases
+
+
+def check_manifest():
+    cases = manifest()
     present = {os.path.join(folder, name) for folder in FOLDERS for name in os.listdir(os.path.join(CERTIFICATES, folder))}
     expect(present == {case[0] for case in cases}, "manifest and folder differ: %s" % sorted(present ^ {case[0] for case in cases}))
     with tempfile.TemporaryDirectory() as folder:
@@ -77,6 +82,31 @@ def check_manifest():
             same = os.path.exists(other) and filecmp.cmp(other, os.path.join(CERTIFICATES, path), shallow=False)
             expect(same, "generating again gives something else: " + path)
     return cases
+
+
+def reported(checker, path, threads):
+    """What the report says besides the verdict: counts, the smallest relative power, and of each claim how many objects and the smallest slack, where."""
+    report = json.loads(run(checker, os.path.join(CERTIFICATES, path), "--json", "--threads", threads)[1])
+    claims = ["%s %s %s %s %s" % tuple(claim[key] for key in ("id", "objects", "slack", "line", "object")) for claim in report["claims"]]
+    return "\t".join([path, json.dumps(report["rules"]), json.dumps(report.get("coplanar")), json.dumps(report.get("smallest-relative-power")), *claims])
+
+
+def check_reports(checker, cases):
+    """Nobody's verdict rests on these numbers, but they are shown to people: a change has to be looked at. --record-reports writes REPORTS.tsv again."""
+    produced = sorted(os.path.join("produced", name) for name in os.listdir(os.path.join(CERTIFICATES, "produced")))
+    lines = [reported(checker, path, "1") for path in [case[0] for case in cases if case[1] in (0, 1)] + produced]
+    if "--record-reports" in sys.argv:
+        with open(os.path.join(CERTIFICATES, "REPORTS.tsv"), "w") as out:
+            out.write("".join(line + "\n" for line in lines))
+    with open(os.path.join(CERTIFICATES, "REPORTS.tsv")) as file:
+        stated = file.read().splitlines()
+    expect(len(stated) == len(lines), "REPORTS.tsv has %d lines, not %d" % (len(stated), len(lines)))
+    for path in produced:  # as `confidel conform` has written them for inputs of examples/: large enough for the trees of the searches
+        code, out, _ = run(checker, os.path.join(CERTIFICATES, path), "--threads", "2")
+        expect(code == 0 and last_line(out) == "s VERIFIED", "%s: %d %s" % (path, code, last_line(out)))
+    expect(reported(checker, produced[0], "3") == reported(checker, produced[0], "1"), "the report of three threads")
+    for line, other in zip(lines, stated):
+        expect(line == other, "the report is another: %s\n  recorded %s" % (line, other))
 
 
 def check_command_line(checker):
@@ -124,6 +154,11 @@ def check_command_line(checker):
         report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
         expect(report["smallest-relative-power"] == {"value": 2, "cell-line": 34, "point": 3}, "the smallest relative power of the worked example")
         expect(report["complex"] == {"sha256": "680b430c4cf762c7e9ef3d597ce3704f7f45f3f7269fa1723b5d7f076d1ad8e3", "compared": True}, "the digest of the complex")
+        expect(report["digest"] == text[-65:-1].decode() and report["cells-checked"] == [0, 2], "the digest of the certificate, and the cells that were checked")
+        for cells, tested in (("0-0", [0, 0]), ("1-99", [1, 2]), ("7-99", None)):
+            expect(json.loads(run(checker, worked, "--json", "--cells", cells)[1]).get("cells-checked") == tested, "the cells that were checked of --cells " + cells)
+        wrong = json.loads(run(checker, file("wrong", text[:-65] + b"0" * 64 + b"\n"), "--json")[1])
+        expect(wrong["rule"] == "hash" and wrong["digest"] == report["digest"], "the digest is that of the text, not the stated one")
         report = {claim["id"]: claim for claim in json.loads(run(checker, claims, "--json")[1])["claims"]}
         expect(len(report) == 28 and all(claim["failures"] == 0 for claim in report.values()), "all claims are reported")
         expect(report["H-ball"]["slack"] is None and report["H-ball"]["objects"] == 16, "a claim without slack")
@@ -193,9 +228,14 @@ def check_mutations(checker):
 
 def main():
     checker = os.path.abspath(sys.argv[1])
+    if "--command-line" in sys.argv:
+        check_reports(checker, manifest())
+        check_command_line(checker)
+        return 1 if failures else 0
     cases = check_manifest()
     with ThreadPoolExecutor(2) as pool:
         list(pool.map(lambda case: check_case(checker, *case), cases))
+    check_reports(checker, cases)
     check_command_line(checker)
     if "--no-mutations" not in sys.argv:
         check_mutations(checker)
