@@ -60,14 +60,14 @@ class Build:
         self.folder = folder
         self.names = sorted(name for name in os.listdir(SOURCE) if name.endswith(".cpp"))
         headers = set()
-        for name in [os.path.join(SOURCE, name) for name in os.listdir(SOURCE)] + [os.path.join(HERE, "driver.cpp")]:
+        for name in [os.path.join(SOURCE, name) for name in os.listdir(SOURCE)] + [os.path.join(HERE, "mutant_driver.cpp")]:
             if name.endswith((".cpp", ".h")):
                 headers.update(re.findall(r"^#include (<[^>]+>)", open(name).read(), re.M))
         with open(os.path.join(folder, "system.h"), "w") as out:
             out.write("".join("#include %s\n" % header for header in sorted(headers)) + '#include "%s"\n' % os.path.join(HERE, "mutant.h"))
         check(["g++", *FLAGS, "-x", "c++-header", os.path.join(folder, "system.h"), "-o", os.path.join(folder, "system.h.gch")])
         self.driver = os.path.join(folder, "driver.o")
-        check(self.compile_command(HERE, "driver.cpp", self.driver))
+        check(self.compile_command(HERE, "mutant_driver.cpp", self.driver))
         self.includes = {name: self.closure(name) for name in self.names}
         self.objects = {name: os.path.join(folder, name + ".o") for name in self.names}
         source = os.path.join(folder, "source")
