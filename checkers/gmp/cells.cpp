@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rules `distinct`, `carrier`, `cell` and `box`.
+#include "filter.h"
 #include "rules.h"
 
 #include <algorithm>
@@ -175,6 +176,7 @@ std::optional<Violation> ruleCell(Check& check) {
                 if (!all) continue;
                 // The corners lie in the facet's plane, so one component of the cross product decides.
                 const int j = (c.normalAxis[cell.facet] + 1) % 3, k = (c.normalAxis[cell.facet] + 2) % 3;
+                if (!check.exact && floatOrientation(c.points, cell.corner[0], cell.corner[1], cell.corner[2], j, k) == c.normalSign[cell.facet]) continue;
                 c.points.difference(v[0], cell.corner[1], cell.corner[0]);
                 c.points.difference(v[1], cell.corner[2], cell.corner[0]);
                 mpz_mul(*value, v[0][j], v[1][k]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rules `hash` and `complex`, and look-ups in the complex.
+#include "filter.h"
 #include "rules.h"
 
 #include <algorithm>
@@ -263,5 +264,7 @@ private:
 
 std::optional<Violation> ruleComplex(Check& check) {
     check.certificate.points.prepare();
-    return ComplexRule(check.certificate).run();
+    auto violation = ComplexRule(check.certificate).run();
+    if (!violation && !check.exact) check.floatNormals = std::make_shared<FloatNormals>(check.certificate);
+    return violation;
 }

@@ -9,10 +9,10 @@
 namespace {
 
 struct Shared {
-    explicit Shared(Check& c) : check(c), certificate(c.certificate), index(certificate, c.threads) {}
+    explicit Shared(Check& c) : check(c), certificate(c.certificate), index(indexOfAll(c)) {}
     Check& check;
     const Certificate& certificate;
-    Index index;
+    const Index& index;
     Earliest emptiness, tie;
     std::atomic<double> smallest{std::numeric_limits<double>::infinity()};
     std::atomic<std::uint64_t> ties{0};
@@ -23,7 +23,7 @@ struct Shared {
 class CellWorker {
 public:
     explicit CellWorker(Shared& shared)
-        : shared_(shared), c_(shared.certificate), sphere_(c_), wanted_(c_.dimension == 3 && !c_.coplanar) {}
+        : shared_(shared), c_(shared.certificate), sphere_(c_, shared.check.floatNormals.get()), wanted_(c_.dimension == 3 && !c_.coplanar) {}
     ~CellWorker() {
         const std::lock_guard<std::mutex> guard(shared_.mutex);
         if (best_.betterThan(shared_.check.smallest)) shared_.check.smallest = best_;
@@ -38,13 +38,17 @@ public:
         number_ = t;
         cell_ = &c_.cells[t];
         sphere_.setCell(*cell_);
-        sphere_.computeBounds();
+        plane_ = c_.facetPlane[cell_->facet];
         violating_ = crossing_ = none;
-        withReach(sphere_, [this](auto& reach) { search(reach); });
+        searchSphere(shared_.index, sphere_, plane_, *this);
         if (violating_ != none) shared_.emptiness.offer(line_, objectName("cell", t, "point", violating_));
         if (crossing_ != none) shared_.tie.offer(line_, objectName("cell", t, "point", crossing_));
     }
 
+    void begin(Reach& reach) {
+        reach_ = &reach;
+        reach.setOuter(shared_.smallest.load(std::memory_order_relaxed), wanted_);
+    }
     void near(std::uint32_t x) {
         if (isCorner(x)) return;
         const int sign = sphere_.power(x);
@@ -67,14 +71,6 @@ public:
 private:
     bool isCorner(std::uint32_t x) const { return x == cell_->corner[0] || x == cell_->corner[1] || x == cell_->corner[2]; }
 
-    template <class SomeReach>
-    void search(SomeReach& reach) {
-        reach_ = &reach;
-        plane_ = c_.facetPlane[cell_->facet];
-        reach.setOuter(sphere_, shared_.smallest.load(std::memory_order_relaxed), wanted_);
-        shared_.index.search(reach, plane_, *this);
-    }
-
     // Only for the report.
     void candidate(std::uint32_t x) {
         if (sphere_.inPlane(cell_->facet)) return;
@@ -83,7 +79,7 @@ private:
         best_ = found;
         double known = shared_.smallest.load(std::memory_order_relaxed);
         while (found.value < known && !shared_.smallest.compare_exchange_weak(known, found.value)) {}
-        reach_->setOuter(sphere_, std::min(known, found.value), wanted_);
+        reach_->setOuter(std::min(known, found.value), wanted_);
     }
 
     // Rule `tie`: whether x is strictly on the other side of an edge of the cell that lies on a segment of the facet.
@@ -119,7 +115,7 @@ private:
 class BallWorker {
 public:
     BallWorker(Shared& shared, Earliest& earliest)
-        : shared_(shared), c_(shared.certificate), earliest_(earliest), sphere_(c_), wanted_(c_.claims.find(Lemma::l22) != nullptr) {}
+        : shared_(shared), c_(shared.certificate), earliest_(earliest), sphere_(c_, shared.check.floatNormals.get()), wanted_(c_.claims.find(Lemma::l22) != nullptr) {}
     ~BallWorker() {
         const std::lock_guard<std::mutex> guard(shared_.mutex);
         if (best_.betterThan(shared_.check.smallestHanging)) shared_.check.smallestHanging = best_;
@@ -131,10 +127,13 @@ public:
         part_ = &c_.hanging[h];
         sphere_.setBall(part_->a, part_->b);
         line_ = c_.hangingLine + h;
-        sphere_.computeBounds();
         violating_ = none;
-        withReach(sphere_, [this](auto& reach) { search(reach); });
+        searchSphere(shared_.index, sphere_, none, *this);
         if (violating_ != none) earliest_.offer(c_.hangingLine + h, objectName("subsegment", h, "point", violating_));
+    }
+    void begin(Reach& reach) {
+        reach_ = &reach;
+        reach.setOuter(best_.cellLine != 0 ? 4 * best_.value : std::numeric_limits<double>::infinity(), wanted_);
     }
     void near(std::uint32_t x) {
         if (x == part_->a || x == part_->b) return;
@@ -146,18 +145,12 @@ public:
     }
 
 private:
-    template <class SomeReach>
-    void search(SomeReach& reach) {
-        reach_ = &reach;
-        reach.setOuter(sphere_, best_.cellLine != 0 ? 4 * best_.value : std::numeric_limits<double>::infinity(), wanted_);
-        shared_.index.search(reach, none, *this);
-    }
     // Only for the report of L22: (x-a).(x-b) / |a-b|^2 is a quarter of power / radius^2.
     void candidate(std::uint32_t x) {
         const SmallestPower found{sphere_.relativePower() / 4, line_, x};
         if (!found.betterThan(best_)) return;
         best_ = found;
-        reach_->setOuter(sphere_, 4 * best_.value, true);
+        reach_->setOuter(4 * best_.value, true);
     }
 
     Shared& shared_;
@@ -208,9 +201,10 @@ void checkSubsegments(const Certificate& c, Earliest& earliest) {
 
 std::optional<Violation> ruleEmptiness(Check& check) {
     Shared shared(check);
-    inParallel(check.endCell - check.firstCell, check.threads, 64, [&] {
-        return [&check, worker = std::make_unique<CellWorker>(shared)](std::size_t begin, std::size_t end) {
-            for (std::size_t t = begin; t < end; ++t) worker->check(check.firstCell + t);
+    const std::vector<std::uint32_t> order = cellsInOrder(check);
+    inParallel(order.size(), check.threads, 64, [&] {
+        return [&order, worker = std::make_unique<CellWorker>(shared)](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) worker->check(order[i]);
         };
     });
     check.tieCount = shared.ties;

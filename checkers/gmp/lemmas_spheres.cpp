@@ -9,7 +9,7 @@ class SphereTest {
 public:
     using Wanted = bool (*)(const Instance&, std::size_t, std::uint32_t);
     SphereTest(const Instance& instance, const Index& index, Wanted wanted, Findings& out)
-        : i_(instance), index_(index), wanted_(wanted), out_(out), sphere_(instance.c) {}
+        : i_(instance), index_(index), wanted_(wanted), out_(out), sphere_(instance.c, instance.check.floatNormals.get()) {}
 
     // The smallest point that is in the sphere, or on it off the plane; else none.
     std::uint32_t violating(std::size_t t) {
@@ -17,9 +17,12 @@ public:
         plane_ = i_.c.facetPlane[i_.c.cells[t].facet];
         violating_ = none;
         sphere_.setCell(i_.c.cells[t]);
-        sphere_.computeBounds();
-        withReach(sphere_, [this](auto& reach) { search(reach); });
+        searchSphere(index_, sphere_, none, *this);
         return violating_;
+    }
+    void begin(Reach& reach) {
+        reach_ = &reach;
+        reach.setOuter(out_.best(), true);
     }
     void near(std::uint32_t x) {
         if (!wanted_(i_, cell_, x)) return;
@@ -32,15 +35,9 @@ public:
     }
 
 private:
-    template <class SomeReach>
-    void search(SomeReach& reach) {
-        reach_ = &reach;
-        reach.setOuter(sphere_, out_.best(), true);
-        index_.search(reach, none, *this);
-    }
     void candidate(std::uint32_t x) {
         out_.slack(sphere_.relativePower(), i_.cellLine(cell_), [&] { return objectName("cell", cell_, "point", x); });
-        reach_->setOuter(sphere_, out_.best(), true);
+        reach_->setOuter(out_.best(), true);
     }
 
     const Instance& i_;
@@ -70,7 +67,7 @@ void testSpheres(const Instance& i, Findings& out, char kind, const Index& index
 
 }  // namespace
 
-void testL9(const Instance& i, Findings& out) { testSpheres(i, out, 'T', Index(i.c, i.check.threads), noCorner); }
+void testL9(const Instance& i, Findings& out) { testSpheres(i, out, 'T', indexOfAll(i.check), noCorner); }
 
 void testL10(const Instance& i, Findings& out) {
     // A foot m is of kind projection, so its segment has the vertex v of its T cell as one of two ends; it may have a T cell at both.
@@ -99,17 +96,19 @@ void testL11(const Instance& i, Findings& out) {
 }
 
 void testL13(const Instance& i, Findings& out) {
-    testSpheres(i, out, 'R', Index(i.c, i.check.threads), [](const Instance& k, std::size_t t, std::uint32_t x) {
+    testSpheres(i, out, 'R', indexOfAll(i.check), [](const Instance& k, std::size_t t, std::uint32_t x) {
         const std::uint32_t* corner = k.shapes->boxOf(t).corner;
         return std::find(corner, corner + 4, x) == corner + 4;
     });
 }
 
 void testL16(const Instance& i, Findings& out) {
-    const Index index(i.c, i.check.threads);
-    inParallel(i.endCell - i.firstCell, i.check.threads, 64, [&] {
+    const Index& index = indexOfAll(i.check);
+    const std::vector<std::uint32_t> order = cellsInOrder(i.check);
+    inParallel(order.size(), i.check.threads, 64, [&] {
         return [&, test = std::make_unique<SphereTest>(i, index, noCorner, out)](std::size_t begin, std::size_t end) {
-            for (std::size_t t = i.firstCell + begin; t < i.firstCell + end; ++t) {
+            for (std::size_t n = begin; n < end; ++n) {
+                const std::size_t t = order[n];
                 if (i.c.cells[t].kind != 'C') continue;
                 std::string fault;
                 if (i.p.h) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // confidel-check: checks a certificate for a conforming Delaunay triangulation.
+#include "filter.h"
 #include "limits.h"
 #include "report.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr const char* usageText =
     "usage: confidel-check CERT [--complex FILE] [--threads N] [--json] [--time-limit SECONDS]\n"
-    "                      [--memory-limit BYTES|512M|4G] [--cells I-J] [--quiet] [--help] [--version]\n"
+    "                      [--memory-limit BYTES|512M|4G] [--cells I-J] [--exact] [--quiet] [--help] [--version]\n"
     "\n"
     "Checks a certificate (plain or zstd) for a conforming Delaunay triangulation.\n"
     "  --complex FILE        the complex has to be this one, byte for byte\n"
@@ -23,6 +24,7 @@ constexpr const char* usageText =
     "  --time-limit SECONDS  then UNDECIDED\n"
     "  --memory-limit BYTES  then UNDECIDED; suffixes K, M, G are powers of 1024\n"
     "  --cells I-J           tests what ranges over cells for these only; then UNDECIDED\n"
+    "  --exact               integers only: without the float filter (docs/trust.md); the same answer, later\n"
     "  --quiet               only the verdict\n"
     "Exit codes: 0 verified, 1 refuted, 2 no certificate or bad usage, 3 undecided, 4 unreadable,\n"
     "5 rejected, 70 internal error, 130 interrupted.\n";
@@ -73,6 +75,7 @@ Options parse(int count, char** arguments) {
             return arguments[i];
         };
         if (argument == "--json") options.json = true;
+        else if (argument == "--exact") options.exact = true;
         else if (argument == "--quiet") options.quiet = true;
         else if (argument == "--complex") {
             options.complex = next();
@@ -109,6 +112,7 @@ int run(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     Check check;
     check.threads = options.threads;
+    check.exact = options.exact || !setRoundingToNearest();
     Outcome outcome;
     Malformed malformed;
     Unreadable unreadable;

@@ -7,7 +7,7 @@
 struct Options {
     std::string certificate, complex;
     unsigned threads = 1;
-    bool json = false, quiet = false;
+    bool json = false, quiet = false, exact = false;
     std::string cells;  // as given by --cells
     std::uint64_t firstCell = 0, lastCell = 0;
 };

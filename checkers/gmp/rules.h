@@ -99,13 +99,18 @@ struct ClaimReport {
     std::optional<Violation> violation;
 };
 
+class Index;
+class FloatNormals;
 class Shapes;
 
 struct Check {
     Certificate certificate;
     unsigned threads = 1;
+    bool exact = false;                         // no float filter (--exact)
     std::size_t firstCell = 0, endCell = 0;     // the cells that are asked for (--cells)
     std::shared_ptr<Shapes> shapes;             // found by rule `kinds`, if it applies
+    std::shared_ptr<const Index> index;         // of all points, when it was needed
+    std::shared_ptr<const FloatNormals> floatNormals;  // found by rule `complex`; none with --exact
     std::vector<ClaimReport> claims;
     SmallestPower smallest, smallestHanging;
     std::uint64_t tieCount = 0;                 // pairs of a cell and another point on its circle

@@ -2,21 +2,27 @@
 #include "shapes.h"
 
 #include "frame.h"
+#include "group.h"
 
 #include <algorithm>
 #include <tuple>
 
 Shapes::Shapes(const Certificate& certificate) : c_(certificate), first_(c_.cells.size(), 0), boxNumber_(c_.cells.size(), none) {
+    edges_.reserve(3 * c_.cells.size());
     for (std::uint32_t t = 0; t < c_.cells.size(); ++t)
-        for (int i = 0; i < 3; ++i) edges_.push_back({c_.cells[t].facet, c_.cells[t].corner[i], c_.cells[t].corner[(i + 1) % 3], t});
-    std::sort(edges_.begin(), edges_.end(),
-              [](const Edge& a, const Edge& b) { return std::tie(a.facet, a.from, a.to, a.cell) < std::tie(b.facet, b.from, b.to, b.cell); });
+        for (int i = 0; i < 3; ++i) edges_.push_back({c_.cells[t].corner[i], c_.cells[t].facet, c_.cells[t].corner[(i + 1) % 3], t});
+    firstEdge_ = groupByKey(edges_, c_.pointCount(), [](const Edge& e) { return e.from; });
+    const auto start = edges_.begin();
+    for (std::size_t x = 0; x + 1 < firstEdge_.size(); ++x)
+        std::sort(start + static_cast<std::ptrdiff_t>(firstEdge_[x]), start + static_cast<std::ptrdiff_t>(firstEdge_[x + 1]),
+                  [](const Edge& a, const Edge& b) { return std::tie(a.facet, a.to, a.cell) < std::tie(b.facet, b.to, b.cell); });
 }
 
 std::uint32_t Shapes::cellAt(std::uint32_t facet, std::uint32_t from, std::uint32_t to) const {
-    const auto found = std::lower_bound(edges_.begin(), edges_.end(), std::tie(facet, from, to),
-                                        [](const Edge& e, const auto& wanted) { return std::tie(e.facet, e.from, e.to) < wanted; });
-    return found != edges_.end() && found->facet == facet && found->from == from && found->to == to ? found->cell : none;
+    const auto last = edges_.begin() + static_cast<std::ptrdiff_t>(firstEdge_[from + 1]);
+    const auto found = std::lower_bound(edges_.begin() + static_cast<std::ptrdiff_t>(firstEdge_[from]), last, std::tie(facet, to),
+                                        [](const Edge& e, const auto& wanted) { return std::tie(e.facet, e.to) < wanted; });
+    return found != last && found->facet == facet && found->to == to ? found->cell : none;
 }
 
 // The segment that carries x, if it is a boundary edge or inner constraint of the facet.

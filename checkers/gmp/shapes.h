@@ -38,7 +38,7 @@ public:
 
 private:
     struct Edge {
-        std::uint32_t facet, from, to, cell;
+        std::uint32_t from, facet, to, cell;
     };
     PointKind kindOf(std::uint32_t x) const { return c_.steiner[x - c_.vertexCount].kind; }
     bool isSteiner(std::uint32_t x, PointKind kind) const { return x >= c_.vertexCount && kindOf(x) == kind; }
@@ -52,7 +52,8 @@ private:
     const Certificate& c_;
     std::vector<std::uint8_t> first_;
     std::vector<std::uint32_t> boxNumber_, closing_;
-    std::vector<Edge> edges_;
+    std::vector<Edge> edges_;            // by first point, facet, second point and cell
+    std::vector<std::size_t> firstEdge_;  // of each first point
 };
 
 std::optional<Violation> ruleKinds(Check&);

@@ -4,8 +4,30 @@
 #include <algorithm>
 
 void Sphere::setCell(const Cell& cell) {
-    const auto [a, b, c] = cell.corner;
+    cell_ = &cell;
+    origin_ = cell.corner[0];
+    exact_ = false;
+    filtered_ = normals_ != nullptr && ball_.setCell(c_, *normals_, cell);
+}
+
+void Sphere::setBall(std::uint32_t a, std::uint32_t b) {
+    cell_ = nullptr;
     origin_ = a;
+    end_ = b;
+    exact_ = false;
+    filtered_ = normals_ != nullptr;
+    if (filtered_) ball_.setBall(points_, a, b);
+}
+
+void Sphere::makeExact() {
+    if (exact_) return;
+    exact_ = true;
+    if (cell_ != nullptr) makeCell();
+    else makeBall();
+}
+
+void Sphere::makeCell() {
+    const auto [a, b, c] = cell_->corner;
     points_.difference(u_, b, a);
     points_.difference(w_, c, a);
     if (!points_.hasCommon()) {
@@ -29,12 +51,13 @@ void Sphere::setCell(const Cell& cell) {
         mpz_mul(v_[i], alpha_, u_[i]);
         mpz_addmul(v_[i], beta_, w_[i]);
     }
-    if (cell.offset != none) addOffset(cell);
+    if (cell_->offset != none) addOffset();
 }
 
 // The facet's normal is stored as N = n times a positive number s; with m the factor from true to scaled lengths the
 // centre moves by (numerator / denominator) m N / s. With a common denominator s = m^2.
-void Sphere::addOffset(const Cell& cell) {
+void Sphere::addOffset() {
+    const Cell& cell = *cell_;
     const View numerator(c_.offsets, 2 * std::size_t{cell.offset}), denominator(c_.offsets, 2 * std::size_t{cell.offset} + 1);
     mpz_mul(value_, denominator_, numerator);
     mpz_mul_2exp(value_, value_, 1);
@@ -52,17 +75,17 @@ void Sphere::addOffset(const Cell& cell) {
 }
 
 // (x-a).(x-b) = |d|^2 - d.u
-void Sphere::setBall(std::uint32_t a, std::uint32_t b) {
-    origin_ = a;
-    points_.difference(v_, b, a);
+void Sphere::makeBall() {
+    points_.difference(v_, end_, origin_);
     mpz_set_ui(denominator_, 1);
     if (!points_.hasCommon()) {
-        mpz_set(extra_, points_.weight(b));
-        mpz_mul(scale_, extra_, points_.weight(a));
+        mpz_set(extra_, points_.weight(end_));
+        mpz_mul(scale_, extra_, points_.weight(origin_));
     }
 }
 
 int Sphere::power(std::uint32_t x) {
+    makeExact();
     points_.difference(d_, x, origin_);
     if (!points_.hasCommon())
         for (int i = 0; i < 3; ++i) mpz_mul(d_[i], d_[i], extra_);
@@ -101,6 +124,7 @@ double Sphere::relativePower() {
 }
 
 void Sphere::computeBounds() {
+    makeExact();
     constexpr std::int64_t largest = std::int64_t{1} << 61;
     const std::array<std::int64_t, 3>& start = points_.grid(origin_);
     mpz_mul_2exp(square_, denominator_, 1);

@@ -8,16 +8,19 @@
 // An offset t along n adds 2 t D n to V. Only D |d|^2 - d.V is computed: its sign is that of the power.
 #pragma once
 
-#include "certificate.h"
+#include "filter.h"
 
 __extension__ typedef __int128 Wide;  // squares of grid lengths
 
 class Sphere {
 public:
-    explicit Sphere(const Certificate& certificate) : c_(certificate), points_(certificate.points) {}
+    // Without `normals` there is no float filter.
+    Sphere(const Certificate& certificate, const FloatNormals* normals) : c_(certificate), points_(certificate.points), normals_(normals) {}
 
     void setCell(const Cell& cell);
     void setBall(std::uint32_t a, std::uint32_t b);
+    // A ball that contains this one; null: in doubt, or there is no filter.
+    const FloatBall* floatBall() const { return filtered_ ? &ball_ : nullptr; }
     // The sign of the power of x.
     int power(std::uint32_t x);
     // After power(x): whether x is in the plane of a facet that contains the sphere's first corner.
@@ -33,11 +36,18 @@ public:
     Integer longCentre[3], longRadius2;
 
 private:
-    void addOffset(const Cell& cell);
+    void makeExact();
+    void makeCell();
+    void addOffset();
+    void makeBall();
 
     const Certificate& c_;
     const Points& points_;
-    std::uint32_t origin_ = 0;
+    const FloatNormals* normals_;
+    FloatBall ball_;
+    bool filtered_ = false, exact_ = false;  // exact_: the integers below belong to the cell or subsegment that was set
+    const Cell* cell_ = nullptr;             // null: a subsegment
+    std::uint32_t origin_ = 0, end_ = 0;
     Vector u_, w_, v_, d_;
     Integer uu_, ww_, uw_, alpha_, beta_, denominator_, value_, square_, other_;
     Integer scale_, extra_, q_;  // without a common denominator: u, w are true differences times scale

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rule `tiling`.
+#include "group.h"
 #include "rules.h"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 #include <tuple>
 
 namespace {
@@ -31,10 +32,17 @@ class FacetTiling {
 public:
     FacetTiling(const Certificate& certificate, Earliest& violations) : c(certificate), earliest(violations) {}
 
-    void check(std::uint32_t f, const std::uint32_t* cells, std::size_t count) {
+    // `edges` are those of the facet's cells, by their lower end.
+    void check(std::uint32_t f, std::span<DirectedEdge> edgesOfFacet) {
         const Facet& facet = c.facets[f];
-        if (count == 0) earliest.offer(facet.line, objectName("facet", f, "no-cell"));
-        collect(cells, count);
+        edges = edgesOfFacet;
+        if (edges.empty()) earliest.offer(facet.line, objectName("facet", f, "no-cell"));
+        for (std::size_t i = 0; i < edges.size();) {
+            std::size_t end = i + 1;
+            while (end < edges.size() && edges[end].low == edges[i].low) ++end;
+            std::sort(edges.begin() + static_cast<std::ptrdiff_t>(i), edges.begin() + static_cast<std::ptrdiff_t>(end));
+            i = end;
+        }
         chains(f);
         for (std::size_t i = 0; i < facet.innerCount; ++i) {
             const auto [a, b] = c.inner[facet.inner + i];
@@ -49,6 +57,7 @@ public:
                 from = to;
             }
         }
+        if (facet.isolatedCount == 0) return;
         corners.clear();
         for (const DirectedEdge& edge : edges) {
             corners.push_back(edge.low);
@@ -63,16 +72,6 @@ public:
     }
 
 private:
-    void collect(const std::uint32_t* cells, std::size_t count) {
-        edges.clear();
-        for (std::size_t i = 0; i < count; ++i)
-            for (int k = 0; k < 3; ++k) {
-                const std::uint32_t a = c.cells[cells[i]].corner[k], b = c.cells[cells[i]].corner[(k + 1) % 3];
-                edges.push_back({std::min(a, b), std::max(a, b), cells[i], a > b});
-            }
-        std::sort(edges.begin(), edges.end());
-    }
-
     bool hasEdge(std::uint32_t a, std::uint32_t b) const {
         const DirectedEdge wanted{std::min(a, b), std::max(a, b), 0, false};
         const auto found = std::lower_bound(edges.begin(), edges.end(), wanted);
@@ -138,7 +137,7 @@ private:
 
     const Certificate& c;
     Earliest& earliest;
-    std::vector<DirectedEdge> edges;
+    std::span<DirectedEdge> edges;
     std::vector<ChainLink> links;
     std::vector<std::uint32_t> corners;
 };
@@ -147,16 +146,20 @@ private:
 
 std::optional<Violation> ruleTiling(Check& check) {
     const Certificate& c = check.certificate;
-    std::vector<std::size_t> first(c.facets.size() + 1, 0);
-    for (const Cell& cell : c.cells) ++first[cell.facet + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::uint32_t> order(c.cells.size());
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    for (std::uint32_t t = 0; t < c.cells.size(); ++t) order[next[c.cells[t].facet]++] = t;
+    std::vector<DirectedEdge> edges;
+    edges.reserve(3 * c.cells.size());
+    for (std::uint32_t t = 0; t < c.cells.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint32_t a = c.cells[t].corner[k], b = c.cells[t].corner[(k + 1) % 3];
+            edges.push_back({std::min(a, b), std::max(a, b), t, a > b});
+        }
+    groupByKey(edges, c.pointCount(), [](const DirectedEdge& e) { return e.low; });
+    const std::vector<std::size_t> first = groupByKey(edges, c.facets.size(), [&c](const DirectedEdge& e) { return c.cells[e.cell].facet; });
     Earliest earliest;
     inParallel(c.facets.size(), check.threads, 1, [&] {
         return [&, tiling = FacetTiling(c, earliest)](std::size_t begin, std::size_t end) mutable {
-            for (std::size_t f = begin; f < end; ++f) tiling.check(static_cast<std::uint32_t>(f), order.data() + first[f], first[f + 1] - first[f]);
+            for (std::size_t f = begin; f < end; ++f)
+                tiling.check(static_cast<std::uint32_t>(f), std::span(edges).subspan(first[f], first[f + 1] - first[f]));
         };
     });
     return earliest.result();

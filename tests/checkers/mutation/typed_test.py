@@ -153,7 +153,9 @@ def main():
         with tempfile.NamedTemporaryFile(suffix=".cert") as file:
             file.write(data)
             file.flush()
-            done = subprocess.run([checker, file.name, "--quiet", "--threads", "1"], capture_output=True)
+            done, exact = (subprocess.run([checker, file.name, "--quiet", "--threads", "1", *more], capture_output=True) for more in ((), ("--exact",)))
+        if (done.returncode, done.stdout, done.stderr) != (exact.returncode, exact.stdout, exact.stderr):
+            return kind, "failed", "%s, %s: with --exact: %d %s, without: %d %s" % (name, kind, exact.returncode, exact.stdout, done.returncode, done.stdout)
         if done.returncode not in (0, 2, 3, 5):
             return kind, "failed", "%s, %s: exit %d" % (name, kind, done.returncode)
         if done.returncode != 0:
