@@ -42,26 +42,59 @@ def fitted_exponent(pairs):
     return sum((p[0] - mx) * (p[1] - my) for p in pairs) / spread if spread > 0 else None
 
 
+def check(binaries, certificate):
+    """Seconds of confidel-check, one thread, without the start of the program; the shortest of three runs."""
+    times = []
+    for _ in range(3):
+        done = run([os.path.join(binaries, "confidel-check"), certificate, "--threads", "1", "--json"], 600)
+        if done is None:
+            return math.nan
+        times.append(json.loads(done.stdout)["seconds"])
+    return min(times)
+
+
+def reading(binaries, certificate, folder):
+    """Seconds of reading alone: with a wrong digest at the end, which is the first thing that is tested."""
+    with open(certificate, "rb") as file:
+        text = file.read()
+    path = os.path.join(folder, "digest.cert")
+    with open(path, "wb") as file:
+        file.write(text[:-2] + (b"1" if text[-2:-1] == b"0" else b"0") + b"\n")
+    return check(binaries, path)
+
+
 def growth(binaries, folder, angles):
     """Graded on skew wedges: one input, more and more points; and checking against CGAL's construction of the same points."""
-    yield "| angle | points | placing s | us per point | certificate bytes | checking s (1 thread) | CGAL doubles, building s | checking : placing | checking : building |"
-    yield "|---|---|---|---|---|---|---|---|---|"
+    yield ("| angle | points | cells | placing s | us per point | certificate bytes | checking s | us per cell | with all lemmas s | reading MB/s | CGAL doubles, building s "
+           "| checking : building | with lemmas : building | checking : placing | lemmas alone : placing |")
+    yield "|" + "---|" * 15
     placing, checking = [], []
     for degrees in angles:
-        source, certificate = os.path.join(folder, "wedge.off"), os.path.join(folder, "wedge.cert")
+        source = os.path.join(folder, "wedge.off")
         skew_wedge(source, degrees)
-        done = run([os.path.join(binaries, "confidel"), "conform", source, "-o", certificate, "--strategy", "graded", "--json", "-j", "1", "--max-points", "0"], 1200)
-        if done is None or done.returncode != 0:
-            yield "| %g | - | | | | | | | |" % degrees
+        reports, seconds = {}, {}
+        for claims in ("conforms", "lemmas"):
+            certificate = os.path.join(folder, claims + ".cert")
+            done = run([os.path.join(binaries, "confidel"), "conform", source, "-o", certificate, "--strategy", "graded", "--json", "-j", "1", "--max-points", "0", "--claims", claims], 1200)
+            if done is None or done.returncode != 0:
+                break
+            reports[claims], seconds[claims] = json.loads(done.stdout), check(binaries, certificate)
+        if len(seconds) < 2:
+            yield "| %g | - |" % degrees + " |" * 13
             continue
-        report = json.loads(done.stdout)
-        points, place, check = report["vertices"] + report["steiner_points"], report["seconds"]["placement"], report["seconds"]["check"]
+        report = reports["lemmas"]
+        points, place = report["vertices"] + report["steiner_points"], min(r["seconds"]["placement"] for r in reports.values())
+        with open(certificate) as file:
+            cells = next(int(line.split()[1]) for line in file if line.startswith("cells "))
+        size, read = os.path.getsize(certificate), reading(binaries, certificate, folder)
         peer = run([os.path.join(binaries, "checking-peer"), certificate], 600)
         build = float(peer.stdout.split()[1]) if peer is not None and peer.returncode == 0 else math.nan
         placing.append((points, place))
-        checking.append((points, check))
-        yield "| %g | %d | %.3f | %.1f | %d | %.3f | %.4f | %.2f | %.1f |" % (
-            degrees, points, place, 1e6 * place / points, report["certificate"]["text_bytes"], check, build, check / place, check / build)
+        checking.append((points, seconds["conforms"]))
+        ratio = lambda a, b: a / b if b > 0 else math.nan
+        yield "| %g | %d | %d | %.3f | %.1f | %d | %.3f | %.2f | %.3f | %.0f | %.4f | %.2f | %.2f | %.2f | %.2f |" % (
+            degrees, points, cells, place, 1e6 * place / points, size, seconds["conforms"], ratio(1e6 * seconds["conforms"], cells), seconds["lemmas"], ratio(size / 1e6, read), build,
+            ratio(seconds["conforms"], build), ratio(seconds["lemmas"], build), ratio(seconds["conforms"], place), ratio(seconds["lemmas"] - seconds["conforms"], place))
     for name, pairs in (("placing", placing), ("checking", checking)):
         exponent = fitted_exponent([pair for pair in pairs if pair[0] >= 200])
         if exponent is not None:
@@ -109,7 +142,8 @@ def main():
             "Written by `./run bench%s` on %s: %s, %d processors, load %.1f at the beginning. Ratios matter, not seconds: peers run in the same minutes on the same machine."
             % (" --quick" if arguments.quick else "", datetime.date.today().isoformat(), platform.processor() or platform.machine(), os.cpu_count(), os.getloadavg()[0]), "",
             "## Growth, and the price of checking", "",
-            "Graded on the skew wedge (two triangles at one edge), smaller and smaller angles. \"Building\" is the time in which CGAL's inexact-constructions kernel builds the Delaunay tetrahedralization of the same points; it proves nothing about them.", ""]
+            "Graded on the skew wedge (two triangles at one edge), smaller and smaller angles. \"Building\" is the time in which CGAL's inexact-constructions kernel builds the Delaunay tetrahedralization of the same points; it proves nothing about them. "
+            "Checking is `confidel-check` on one thread (the shortest of three runs, without the start of the program), reading included: of `--claims conforms`, then with all claims about lemmas.", ""]
     with tempfile.TemporaryDirectory() as folder:
         for line in growth(arguments.binaries, folder, angles):
             text.append(line)

@@ -13,7 +13,7 @@
 #include <cstring>
 
 namespace {
-constexpr std::size_t chunk = std::size_t{1} << 18;
+constexpr std::size_t firstChunk = std::size_t{1} << 14, chunk = std::size_t{1} << 18;  // for a look at the file; for decompressing it
 constexpr int largestWindow = 27;  // 128 MiB, zstd's own default; larger windows are declined
 }
 
@@ -21,11 +21,12 @@ ByteSource::ByteSource(const std::string& path) : path_(path) {
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor_ < 0) throw Unreadable{path, std::strerror(errno)};
     try {
-        compressed_.resize(chunk);
+        compressed_.resize(firstChunk);
         while (available_ < 4 && !fileDone_) fill();
         static constexpr unsigned char magic[4] = {0x28, 0xb5, 0x2f, 0xfd};
         isCompressed_ = available_ >= 4 && std::memcmp(compressed_.data(), magic, 4) == 0;
         if (!isCompressed_) return;
+        compressed_.resize(chunk);
         context_ = ZSTD_createDCtx();
         if (context_ == nullptr) throw std::bad_alloc();
         int window = largestWindow;

@@ -29,6 +29,8 @@ constexpr const char* usageText =
     "Exit codes: 0 verified, 1 refuted, 2 no certificate or bad usage, 3 undecided, 4 unreadable,\n"
     "5 rejected, 70 internal error, 130 interrupted.\n";
 
+constexpr std::size_t fewForThreads = 2000;
+
 struct Usage { std::string message; };
 
 std::uint64_t parseNumber(const std::string& option, const std::string& text) {
@@ -118,6 +120,8 @@ int run(const Options& options) {
     Unreadable unreadable;
     try {
         readCertificate(check.certificate, options.certificate, options.complex);
+        // A thread takes longer to start than a small certificate to check.
+        if (check.certificate.cells.size() + check.certificate.hanging.size() < fewForThreads) check.threads = 1;
         decide(check, options, outcome);
     } catch (const Malformed& error) {
         malformed = error;

@@ -71,7 +71,7 @@ void reportText(const Options& options, const Check& check, const Outcome& outco
             std::printf("smallest slack %s: line %llu, %s\n", rounded(claim.slack).c_str(), static_cast<unsigned long long>(claim.line), claim.object.c_str());
         else std::puts("no slack");
     }
-    std::printf("%.3f seconds, %u threads\n", outcome.seconds, check.threads);
+    std::printf("%.3f seconds, %u threads\n", outcome.seconds, options.threads);
 }
 
 void reportJson(const Options& options, const Check& check, const Outcome& outcome) {
@@ -130,7 +130,7 @@ void reportJson(const Options& options, const Check& check, const Outcome& outco
     text += "]";
     char seconds[40];
     std::snprintf(seconds, sizeof seconds, "%.3f", outcome.seconds);
-    text += std::string(",\"seconds\":") + seconds + ",\"threads\":" + std::to_string(check.threads) + "}";
+    text += std::string(",\"seconds\":") + seconds + ",\"threads\":" + std::to_string(options.threads) + "}";
     std::puts(text.c_str());
 }
 

@@ -1,27 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text.h"
 
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <stdexcept>
 
 namespace {
 constexpr std::size_t longestLine = 1048576;  // bytes before the LF
 constexpr std::size_t mostDigits = 65536;
-constexpr std::size_t chunk = std::size_t{1} << 18;
+constexpr std::size_t firstChunk = std::size_t{1} << 14, largestChunk = std::size_t{1} << 18;
 
 bool printable(char c) { return c >= 0x20 && c <= 0x7e; }
 bool digit(char c) { return c >= '0' && c <= '9'; }
-int hexadecimalValue(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    return -1;
-}
+constexpr std::uint8_t noDigit = 255;
+constexpr std::array<std::uint8_t, 256> hexadecimalValues = [] {
+    std::array<std::uint8_t, 256> values{};
+    values.fill(noDigit);
+    for (std::uint8_t i = 0; i < 16; ++i) values[static_cast<std::uint8_t>("0123456789abcdef"[i])] = i;
+    return values;
+}();
+std::uint8_t hexadecimalValue(char c) { return hexadecimalValues[static_cast<std::uint8_t>(c)]; }
 }  // namespace
 
-Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
+// Without OpenSSL's configuration file, which takes longer to read than a small certificate and might put something else in SHA-256's place.
+Sha256::Sha256() {
+    OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG, nullptr);
+    context_ = EVP_MD_CTX_new();
     if (context_ == nullptr || EVP_DigestInit_ex(context_, EVP_sha256(), nullptr) != 1)
         throw std::runtime_error("SHA-256 is not available");
 }
@@ -59,9 +67,10 @@ bool Text::load() {
         flushed_ -= lineStart_;
         lineStart_ = 0;
     }
-    if (buffer_.size() < filled_ + chunk) buffer_.resize(filled_ + chunk);
+    chunk_ = std::clamp(2 * chunk_, firstChunk, largestChunk);  // small for small files
+    if (buffer_.size() < filled_ + chunk_) buffer_.resize(filled_ + chunk_);
     try {
-        const std::size_t got = source_.read(buffer_.data() + filled_, chunk);
+        const std::size_t got = source_.read(buffer_.data() + filled_, chunk_);
         if (got == 0) sourceDone_ = true;
         filled_ += got;
         return got != 0;
@@ -173,7 +182,10 @@ void Text::integer(IntegerStore& store, char terminator) {
     const bool negative = cursor_ != stop_ && *cursor_ == '-';
     if (negative) ++cursor_;
     const char* first = cursor_;
-    while (cursor_ != stop_ && hexadecimalValue(*cursor_) >= 0) ++cursor_;
+    mp_limb_t last = 0;  // of the last 16 digits; the LF behind the line is no digit
+    const char* end = first;
+    for (std::uint8_t value = hexadecimalValue(*end); value != noDigit; value = hexadecimalValue(*++end)) last = last << 4 | value;
+    cursor_ = end;
     if (cursor_ == first || (cursor_ != stop_ && *cursor_ != terminator))
         fail("E-SYNTAX", "expected an integer, hexadecimal in lower case");
     const auto digits = static_cast<std::size_t>(cursor_ - first);
@@ -186,22 +198,21 @@ void Text::integer(IntegerStore& store, char terminator) {
     }
     const std::size_t size = (digits + 15) / 16;
     if (limbs_.size() < size) limbs_.resize(size);
-    const char* end = cursor_;
-    for (std::size_t i = 0; i < size; ++i) {
-        const char* from = end - first > 16 ? end - 16 : first;
+    limbs_[0] = last;
+    for (std::size_t i = 1; i < size; ++i) {
+        end -= 16;
         mp_limb_t limb = 0;
-        for (const char* c = from; c != end; ++c) limb = limb << 4 | static_cast<mp_limb_t>(hexadecimalValue(*c));
+        for (const char* c = end - first > 16 ? end - 16 : first; c != end; ++c) limb = limb << 4 | hexadecimalValue(*c);
         limbs_[i] = limb;
-        end = from;
     }
     store.append(limbs_.data(), negative ? -static_cast<int>(size) : static_cast<int>(size));
 }
 
-void Text::space() {
+void Text::badSpace() {
     if (cursor_ == stop_) fail("E-SYNTAX", "a field is missing");
     if (*cursor_ != ' ') fail("E-SYNTAX", "expected one space");
     ++cursor_;
-    if (cursor_ == stop_ || *cursor_ == ' ') fail("E-SYNTAX", "a space without a field");
+    fail("E-SYNTAX", "a space without a field");
 }
 
 void Text::slash() {
@@ -269,7 +280,7 @@ std::string Text::endComplex() {
 
 void Text::compare(const char* bytes, std::size_t size) {
     if (!other_ || differenceLine_ != 0) return;
-    otherBytes_.resize(std::min(size, chunk));
+    otherBytes_.resize(std::min(size, largestChunk));
     while (size > 0) {
         std::size_t got = 0;
         try {

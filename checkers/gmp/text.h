@@ -30,7 +30,7 @@ public:
     std::string hexadecimal();
 
 private:
-    evp_md_ctx_st* context_;
+    evp_md_ctx_st* context_ = nullptr;
 };
 
 class Text {
@@ -52,7 +52,11 @@ public:
     std::uint32_t index();
     std::uint32_t indexBelow(std::uint64_t bound, const char* what);
     void integer(IntegerStore& store, char terminator = ' ');
-    void space();
+    void space() {
+        // The LF behind the line is no space.
+        if (*cursor_ != ' ' || cursor_ + 1 == stop_ || cursor_[1] == ' ') badSpace();
+        ++cursor_;
+    }
     void slash();
     bool atEnd() const { return cursor_ == stop_; }
     void finish();
@@ -70,6 +74,7 @@ public:
     std::uint64_t firstDifference() const { return differenceLine_; }  // 0: none
 
 private:
+    [[noreturn]] void badSpace();
     bool load();
     void flush(const char* upTo);
     void compare(const char* bytes, std::size_t size);
@@ -79,7 +84,7 @@ private:
     std::string path_;
     ByteSource source_;
     std::vector<char> buffer_;
-    std::size_t lineStart_ = 0, lineStop_ = 0, filled_ = 0, flushed_ = 0;
+    std::size_t lineStart_ = 0, lineStop_ = 0, filled_ = 0, flushed_ = 0, chunk_ = 0;
     bool sourceDone_ = false, started_ = false;
     const char* cursor_ = nullptr;
     const char* stop_ = nullptr;

@@ -153,7 +153,7 @@ def check_command_line(checker):
                 ((os.path.join(CERTIFICATES, "reject", "emptiness-off-plane-in.cert"), "--cells", "1-1"), 3, "s UNDECIDED cells-1-1"),
                 (("--help",), 0, None), (("--version",), 0, None),
                 ((worked, "--time-limit", "1000", "--memory-limit", "64M"), 0, "s VERIFIED"),
-                ((worked, "--memory-limit", "200K"), 3, "s UNDECIDED memory-limit")]:
+                ((worked, "--memory-limit", "40K"), 3, "s UNDECIDED memory-limit")]:
             got = run(checker, *arguments)
             expect(got[0] == code and (line is None or last_line(got[1]) == line), "%s: %d %s" % (arguments, got[0], last_line(got[1])))
             if code == 2:
