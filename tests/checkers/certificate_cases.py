@@ -4,6 +4,7 @@ from fractions import Fraction as Q
 
 from claim_cases import write_claims
 from malformed_cases import write_malformed
+from mutant_cases import write_for_mutants
 from refutation_cases import write_refutations
 
 
@@ -16,6 +17,7 @@ def write_all(m):
     write_malformed(m)
     write_claims(m)
     write_refutations(m)
+    write_for_mutants(m)
 
 
 def write_accepted(m):

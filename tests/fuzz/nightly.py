@@ -10,6 +10,7 @@ import concurrent.futures
 import glob
 import os
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -24,10 +25,15 @@ LARGEST = 4096
 def compile_one(source):
     target = os.path.join(BUILD, os.path.relpath(source, ROOT).replace("/", "-") + ".o")
     cache = ["ccache"] if shutil.which("ccache") else []
-    done = subprocess.run([*cache, "clang++", *FLAGS, "-c", source, "-o", target], capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit("%s: clang++ ends with %d\n%s" % (source, done.returncode, done.stderr[-3000:]))
-    return target
+    for command in [*cache, "clang++"], ["clang++"]:
+        done = subprocess.run([*command, *FLAGS, "-c", source, "-o", target], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode == 0:
+            return target
+        ended = signal.Signals(-done.returncode).name if done.returncode < 0 else "exit code %d" % done.returncode
+        print("%s: %s: %s\n%s" % (os.path.relpath(source, ROOT), " ".join(command), ended, done.stdout[-3000:] or "(it said nothing)"), file=sys.stderr, flush=True)
+        if done.stdout.strip():  # else it was ended from outside, or the cache failed: once more without it
+            break
+    raise RuntimeError("%s cannot be compiled" % source)
 
 
 def program(name, sources, libraries, jobs):

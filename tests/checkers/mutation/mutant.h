@@ -14,7 +14,7 @@
 namespace mutant {
 
 inline int active = -1;
-inline int on(int number) { return active == number ? 1 : 0; }
+[[gnu::always_inline]] inline int on(int number) { return active == number ? 1 : 0; }
 [[noreturn]] inline void noSuchMutant() { ::_exit(99); }
 
 template <int Kind> struct Place { int number; };
@@ -24,7 +24,7 @@ template <int Kind, class Left> struct Half {
 };
 
 // Expressions of gmpxx refer to temporaries: they are evaluated at once.
-template <class T> auto evaluated(T&& value) {
+template <class T> [[gnu::always_inline]] inline auto evaluated(T&& value) {
     if constexpr (std::is_convertible_v<T, mpz_class> && std::is_class_v<std::remove_cvref_t<T>>) return mpz_class(value);
     else if constexpr (std::is_convertible_v<T, mpq_class> && std::is_class_v<std::remove_cvref_t<T>>) return mpq_class(value);
     else return std::forward<T>(value);

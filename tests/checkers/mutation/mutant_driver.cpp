@@ -56,6 +56,12 @@ std::string errorOf(const std::string& text, const std::string& file) {
     return name == "E-ZSTD" ? name : name + " " + text.substr(file.size() + 1, text.find(':', file.size() + 1) - file.size() - 1);
 }
 
+// Of a report what is the same each time: the counts of the rules, the smallest relative power, the claims.
+std::string reportOf(const std::string& text) {
+    const std::size_t begin = text.find("\"rules\":"), end = text.rfind(",\"seconds\"");
+    return begin == std::string::npos || end == std::string::npos || end < begin ? "no report" : text.substr(begin, end - begin);
+}
+
 class Runner {
 public:
     // The certificate to which the mutant gives another answer, or what else happened; "" if all answers are as expected.
@@ -105,7 +111,7 @@ private:
         const int code = checkerMain(static_cast<int>(arguments.size()) - 1, arguments.data());
         std::fflush(nullptr);
         const bool json = std::find(test.arguments.begin(), test.arguments.end(), "--json") != test.arguments.end();
-        const std::string answer = code == 2 ? errorOf(contents(error_), test.arguments[0]) : lastLine(contents(json ? error_ : out_));
+        const std::string answer = json ? reportOf(contents(out_)) : code == 2 ? errorOf(contents(error_), test.arguments[0]) : lastLine(contents(out_));
         return code == test.code && answer == test.expected;
     }
 

@@ -99,30 +99,36 @@ def faulty_lines(errors, folder):
 def build(mutants, source, folder, compile_command, jobs, say):
     """Writes rewritten files to `folder` and compiles them there: (the numbers of the mutants inside, the objects)."""
     files = sorted(name for name in os.listdir(source) if name.endswith((".cpp", ".h")))
-    inside = {number for number, mutant in enumerate(mutants)}
+    inside = set(range(len(mutants)))
     lines = {}
     for number, mutant in enumerate(mutants):
         lines.setdefault((mutant.file, mutant.line), set()).add(number)
-    pending = [name for name in files if name.endswith(".cpp")]
-    objects = {name: os.path.join(folder, name + ".o") for name in pending}
-    while pending:
-        places.copy(source, folder, {name: instrumented(open(os.path.join(source, name)).read(), [(number, mutants[number]) for number in sorted(inside) if mutants[number].file == name])
-                                     for name in files})
+    objects = {name: os.path.join(folder, name + ".o") for name in files if name.endswith(".cpp")}
 
+    def compile_all(names, *options):
+        """(name, errors) of those that cannot be compiled"""
         def compile_one(name):
-            done = subprocess.run(compile_command(folder, name, objects[name]), capture_output=True, text=True)
+            done = subprocess.run([*compile_command(folder, name, objects[name]), *options], capture_output=True, text=True)
             return name, done.stderr if done.returncode != 0 else ""
 
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-            failed = [(name, errors) for name, errors in pool.map(compile_one, pending) if errors]
-        out_now = set()
+            return [(name, errors) for name, errors in pool.map(compile_one, names) if errors]
+
+    pending = sorted(objects)
+    while pending:
+        places.copy(source, folder, {name: instrumented(open(os.path.join(source, name)).read(), [(number, mutants[number]) for number in sorted(inside) if mutants[number].file == name])
+                                     for name in files})
+        failed = compile_all(pending, "-fsyntax-only")
+        without = set()
         for name, errors in failed:
             for line in faulty_lines(errors, folder):
-                out_now |= lines.get(line, set()) & inside
-        if failed and not out_now:
+                without |= lines.get(line, set()) & inside
+        if failed and not without:
             raise RuntimeError("%s cannot be compiled with its mutants:\n%s" % failed[0])
-        changed_headers = {mutants[number].file for number in out_now if mutants[number].file.endswith(".h")}
-        pending = sorted(objects) if changed_headers else [name for name, _ in failed]
-        inside -= out_now
-        say("%d files to compile again without %d places" % (len(pending), len(out_now)))
+        pending = [name for name, _ in failed]
+        inside -= without
+    say("%d of %d mutants go into one program; compiling it" % (len(inside), len(mutants)))
+    failed = compile_all(sorted(objects))
+    if failed:
+        raise RuntimeError("%s cannot be compiled with its mutants:\n%s" % failed[0])
     return inside, objects

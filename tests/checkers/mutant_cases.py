@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Cases that were added because a changed checker (mutation/mutate_checker.py) was noticed by no other."""
+from fractions import Fraction as Q
+
+
+def standing(points):
+    """(y, z) in the plane x = 0."""
+    return [(0, y, z) for y, z in points]
+
+
+def write_for_mutants(m):
+    write_distinct(m)
+    write_planes(m)
+    write_pairs(m)
+    write_boxes(m)
+
+
+def write_distinct(m):
+    c = m.worked()
+    c.points[0] = ("interior 0", (0, 0, 0))
+    m.reject("distinct-first-vertex", c, "distinct", "q interior 0 0 0 0 1", "point-5-point-0", "a point coincides with vertex 0")
+    many = m.Certificate(3, [(1, 2, 3)] * 40, [], [])
+    m.reject("distinct-forty", many, "distinct", ("v 1 2 3 1", 2), "point-1-point-0", "forty vertices at one place: more than a sort of few leaves in their order")
+    mixed = m.Certificate(3, [(i, 0, 0) for i in range(40)] + [(7, 0, 0), (3, 0, 0)], [], [])
+    m.reject("distinct-two-pairs", mixed, "distinct", ("v 7 0 0 1", 2), "point-40-point-7", "two pairs coincide: the smaller of the later ones is named")
+
+
+def write_planes(m):
+    """A plane in which only x decides, and whether all points lie in one plane."""
+    upright = m.Certificate(3, standing([(0, 0), (4, 0), (0, 4)]), [(0, 1), (0, 2), (1, 2)], [dict(corners=(0, 1, 2), boundary=m.loop([0, 1, 2]))],
+                            points=[("interior 0", (0, 1, 1))], cells=["0 0 1 3 C", "0 1 2 3 C", "0 2 0 3 C"])
+    m.accept("upright", upright, "a facet in the plane x = 0")
+    upright.points = [("interior 0", (Q(1, 2 ** 70), 1, 1))]
+    m.reject("carrier-off-upright-plane", upright, "carrier", "q interior 0 " + m.homogeneous(upright.points[0][1]), "point-3-facet-0", "a point a little outside the plane x = 0")
+    c = m.folded()
+    c.points.append(("interior 0", (2, 1, 0)))
+    c.cells += ["1 0 1 5 C"]
+    m.reject("carrier-only-in-other-facet", c, "carrier", "q interior 0 2 1 0 1", "point-5-in-no-cell", "a point of a facet that is a corner of a cell of another facet only")
+    for name, points, reason in [
+            ("coplanar-loose", [(0, 0, 1), (1, 0, 1), (2, 0, 1), (5, 7, 1), (6, 1, 1)], "vertices and no facet, all in one plane; the first three on a line"),
+            ("not-coplanar-second", [(0, 0, 0), (5, 5, 5), (1, 0, 0), (0, 1, 0), (3, 2, 0)], "all but vertex 1 in one plane"),
+            ("not-coplanar-third", [(0, 0, 0), (1, 0, 0), (5, 5, 5), (0, 1, 0), (3, 2, 0), (4, 7, 0)], "all but vertex 2 in one plane"),
+            ("not-coplanar-last", [(0, 0, 0), (1, 0, 0), (0, 1, 0), (3, 2, 0), (4, 7, 1)], "all but the last vertex in one plane"),
+            ("coplanar-collinear", [(0, 0, 0), (1, 1, 1), (2, 2, 2), (3, 3, 3)], "vertices on a line")]:
+        m.accept(name, m.Certificate(3, points, [], []), reason)
+    below = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2])
+    below.vertices.insert(0, (9, 9, 9))
+    below.segments, below.cells = [(1, 2), (1, 3), (2, 3)], ["0 1 2 3 C"]
+    below.facets = [dict(corners=(1, 2, 3), boundary=m.loop([1, 2, 3]))]
+    m.accept("not-coplanar-first", below, "all but vertex 0 in the facet's plane")
+    above = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=[(9, 9, 9)])
+    m.accept("not-coplanar-facet", above, "all but the last vertex in the facet's plane")
+
+
+def two_facets(m, first, second, offset=""):
+    """Two triangles far from each other."""
+    vertices = list(first) + list(second)
+    loops = [m.loop([0, 1, 2]), m.loop([3, 4, 5])]
+    return m.Certificate(3, vertices, m.undirected(loops[0] + loops[1]), [dict(corners=(0, 1, 2), boundary=loops[0]), dict(corners=(3, 4, 5), boundary=loops[1])],
+                         cells=["0 0 1 2 C", "1 3 4 5 C" + offset])
+
+
+def write_pairs(m):
+    """The smallest relative power is that of a point of the other facet, whose plane differs little from this one: REPORTS.tsv has it."""
+    flat = [(0, 0, 0), (4, 0, 0), (0, 4, 0)]
+    wall = [(0, 0, 0), (2, -2, 0), (0, 0, 3)]           # normal (1, 1, 0)
+    for name, first, second, reason in [
+            ("parallel", flat, [(9, 0, 1), (13, 0, 1), (9, 4, 1)], "two parallel planes"),
+            ("parallel-other-side", flat, [(9, 0, 1), (9, 4, 1), (13, 0, 1)], "two parallel planes, the facets seen from opposite sides"),
+            ("parallel-x", standing([(0, 0), (4, 0), (0, 4)]), [(1, y, z) for y, z in [(9, 0), (13, 0), (9, 4)]], "the planes x = 0 and x = 1"),
+            ("parallel-y", [(0, 0, 0), (0, 0, 4), (4, 0, 0)], [(9, 1, 0), (9, 1, 4), (13, 1, 0)], "the planes y = 0 and y = 1"),
+            ("normals-x", wall, [(10, -20, 0), (12, -24, 0), (10, -20, 3)], "normals (1,1,0) and (2,1,0), both planes through the origin"),
+            ("normals-y", wall, [(20, -10, 0), (24, -12, 0), (20, -10, 3)], "normals (1,1,0) and (1,2,0)"),
+            ("normals-z", flat, [(9, 0, 0), (13, 0, 0), (9, 0, 4)], "normals (0,0,1) and (0,1,0)"),
+            ("coplanar-opposite", flat, [(9, 0, 0), (9, 4, 0), (13, 0, 0)], "one plane, the facets seen from opposite sides"),
+            ("coplanar-away", [(Q(1, 3), 0, 5), (4, 0, 5), (0, 4, 5)], [(9, 0, 5), (9, 4, 5), (13, Q(1, 7), 5)], "one plane that is not through the origin")]:
+        m.accept("pair-" + name, two_facets(m, first, second), reason)
+    near = two_facets(m, flat, [(9, 0, 0), (13, 0, 0), (9, 4, 0)], " 1/4")
+    near.vertices.append((10, 1, -1))
+    m.accept("offset-second-facet", near, "a sphere with an offset in the second facet, which alone leaves a vertex outside")
+    near.cells[1] = "1 3 4 5 C"
+    m.reject("offset-second-facet-without", near, "emptiness", "t 1 3 4 5 C", "cell-1-point-6", "the same without the offset")
+
+
+def write_boxes(m):
+    """Each edge of either triangle of a box as the common one."""
+    square = m.square()
+    for turn in range(3):
+        for other in range(3):
+            first, second = [0, 1, 2], [0, 2, 3]
+            first, second = first[turn:] + first[:turn], second[other:] + second[:other]
+            square.cells = ["0 %d %d %d R 0" % tuple(first), "0 %d %d %d R 0" % tuple(second)]
+            m.accept("box-turned-%d-%d" % (turn, other), square, "a box whose triangles begin at other corners")
+    c = m.rows_and_boxes()
+    place = [i for i, cell in enumerate(c.cells) if "R" not in cell][0]
+    rest, boxes = [cell for cell in c.cells if "R" not in cell], [cell for cell in c.cells if "R" in cell]
+    a = rest[place].split()[:4]
+    c.cells = rest[:3] + [" ".join(a) + " R 0", " ".join(a) + " R 0"] + [cell[:-1] + str(int(cell[-1]) + 1) for cell in boxes]
+    m.reject("box-after-cells", c, "box", ("t " + c.cells[3], 1), "box-0-no-common-edge", "a box at fault that is not the first cell")
+    over = m.square()
+    over.cells = ["0 0 1 2 R 0", "0 0 1 3 R 0"]
+    m.reject("box-one-side", over, "box", "t 0 0 1 2 R 0", "box-0-no-common-edge", "the triangles of a box lie on one side of their common edge")
+    ring = [(0, 0), (2, 0), (2, 3), (0, 2)]
+    upright = m.Certificate(3, standing(ring), m.undirected(m.loop([0, 1, 2, 3])), [dict(corners=(0, 1, 2), boundary=m.loop([0, 1, 2, 3]))],
+                            cells=["0 0 1 2 R 0", "0 0 2 3 R 0"])
+    m.reject("box-no-parallelogram-z", upright, "box", "t 0 0 1 2 R 0", "box-0-no-parallelogram", "right-angled at one corner; opposite sides differ in z alone")
