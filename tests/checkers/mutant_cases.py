@@ -13,6 +13,7 @@ def write_for_mutants(m):
     write_planes(m)
     write_pairs(m)
     write_boxes(m)
+    write_pierced(m)
 
 
 def write_distinct(m):
@@ -104,3 +105,38 @@ def write_boxes(m):
     upright = m.Certificate(3, standing(ring), m.undirected(m.loop([0, 1, 2, 3])), [dict(corners=(0, 1, 2), boundary=m.loop([0, 1, 2, 3]))],
                             cells=["0 0 1 2 R 0", "0 0 2 3 R 0"])
     m.reject("box-no-parallelogram-z", upright, "box", "t 0 0 1 2 R 0", "box-0-no-parallelogram", "right-angled at one corner; opposite sides differ in z alone")
+
+
+# A polygon with corners at one height, a notch and a hole; where segments pass its plane: (x, y), and whether that is in the polygon.
+NOTCHED = [(0, 0), (12, 0), (12, 8), (6, 4), (0, 8)]
+PASSES = [("inside", (6, 2), True), ("level-with-notch", (2, 4), True), ("level-with-notch-right", (11, 4), True), ("below-notch", (6, Q(7, 2)), True), ("on-edge", (12, 3), True), ("on-slanted-edge", (9, 6), True),
+          ("notch", (6, 7), False), ("notch-high", (Q(13, 2), 8), False), ("level-with-corners-left", (-40, 8), False), ("level-with-corners-right", (60, 8), False), ("level-with-base", (-50, 0), False), ("level-with-base-right", (60, 0), False),
+          ("left", (-40, 3), False), ("right", (60, 3), False), ("level-left", (-40, 4), False), ("level-right", (60, 4), False), ("above", (5, 60), False), ("below", (5, -50), False)]
+
+
+def write_pierced(m):
+    """L21: does a segment meet a facet? In three positions of the plane, the segment through it, or ending on it."""
+    turns = {"xy": lambda x, y, z: (x, y, z), "yz": lambda x, y, z: (z, x, y), "zx": lambda x, y, z: (y, z, x)}
+    cells = [(0, 1, 3), (1, 2, 3), (0, 3, 4)]
+    for axes, turn in turns.items():
+        for name, (x, y), inside in PASSES:
+            for how, heights in (("through", (-1, 2)), ("ends", (0, 7)), ("starts", (-7, 0))):
+                if (how != "through" and name not in ("inside", "right", "notch")) or (axes != "xy" and name not in ("inside", "on-edge", "notch", "level-with-notch", "left", "above")):
+                    continue
+                vertices = [turn(a, b, 0) for a, b in NOTCHED] + [turn(x, y, z) for z in heights]
+                loop = m.loop([0, 1, 2, 3, 4])
+                segments = m.undirected(loop + [(5, 6)])
+                c = m.Certificate(3, vertices, segments, [dict(corners=(0, 1, 2), boundary=loop)], cells=["0 %d %d %d C" % t for t in cells], hanging=[(segments.index((5, 6)), 5, 6)])
+                c.claims.append("claim L21 %d" % (len(vertices) + len(segments)))
+                c.parameters = ["r " + m.rational(Q(1, 1000))]
+                reason = "a segment %s the plane, %s" % ({"through": "passes", "ends": "begins in", "starts": "ends in"}[how], "in the facet" if inside else "beside the facet")
+                if not inside:
+                    m.accept("-".join(("beside", axes, name, how)), c, reason)
+                    continue
+                # The nearest in the order of entities: a corner of the segment, the segment with an edge, the segment with the facet.
+                line, thing = {"through": ("f 0 1 2", "facet-0-segment-5"), "ends": ("f 0 1 2", "facet-0-vertex-5"), "starts": ("f 0 1 2", "facet-0-vertex-6")}[how]
+                if name == "on-edge":
+                    line, thing = "s 5 6", "segment-5-segment-2"
+                if name == "on-slanted-edge":
+                    line, thing = "s 5 6", "segment-5-segment-3"
+                m.reject("-".join(("pierced", axes, name, how)), c, "L21", line, thing, reason)
