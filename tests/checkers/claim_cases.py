@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Claims about lemmas that hold by a hair, and that fail by one. The objects that fail are found here again, by formulas of their own."""
 from fractions import Fraction as Q
+from math import isqrt
 
 from claim_bases import BETA, C, H, K, MIDDLE, Assembly, Edge, Square, circle, dot, flat, sub, tilted
 from malformed_cases import write_malformed_claims
@@ -31,6 +32,12 @@ def chebyshev(j, c):
 
 def norm(a):
     return dot(a, a)
+
+
+def exact_root(square):
+    result = Q(isqrt(square.numerator), isqrt(square.denominator))
+    assert result * result == square
+    return result
 
 
 class Cases:
@@ -98,6 +105,13 @@ def write_sizes(k):
 
     def box_line(b):
         return len(base.cells) + 2 * b, "box-%d" % b
+
+    # Widths are rational: equality itself.
+    width = exact_root(min(w2 for _, w2, _ in widths))
+    for name, h in (("L2-short", width), ("L2-long", 2 * width / 3)):
+        k.good(name + "-exact", base, ["L2"], h_is(h), "boxes whose width is exactly the bound")
+    k.good("L4-exact", base, ["L4"], h_is(width), "boxes of width h")
+    k.good("L20-r-exact", base, ["L20"], k.parameters(r=Q(19, 15)), "r is exactly 1.9 r_max")
 
     base_length = lambda corners: norm(sub(corners[1], corners[2]))
     k.hair("L1", "L1-short", base, h_is, lambda h: first((t, h * h > base_length(s)) for t, s in spokes), (H, 1), cell, "the shortest base of a spoke triangle")
