@@ -11,6 +11,7 @@ import places
 OPERATORS = {"<": 0, "<=": 1, ">": 2, ">=": 3, "==": 4, "!=": 5, "+": 6, "-": 7}
 NUMBER = re.compile(r"[\d.][\w.']*?(?:(?<=[eE])[+-]\d+)?(?![\w.'])")
 SUFFIX, PREFIX, WITHIN = range(3)
+ARRAY = re.compile(r"^\s*(?:(?:const|constexpr|static|mutable) )*(?!return |throw |else |delete )[\w:<>]+ \w+\[")  # an array's size is a constant expression
 
 
 def region(code, place):
@@ -99,7 +100,8 @@ def faulty_lines(errors, folder):
 def build(mutants, source, folder, compile_command, jobs, say):
     """Writes rewritten files to `folder` and compiles them there: (the numbers of the mutants inside, the objects)."""
     files = sorted(name for name in os.listdir(source) if name.endswith((".cpp", ".h")))
-    inside = set(range(len(mutants)))
+    inside = {number for number, mutant in enumerate(mutants)
+              if not (mutant.kind == "constant" and mutant.original[mutant.place - 1] == "[" and ARRAY.match(mutant.key.split("\t")[1]))}
     lines = {}
     for number, mutant in enumerate(mutants):
         lines.setdefault((mutant.file, mutant.line), set()).add(number)
