@@ -26,9 +26,11 @@ constexpr std::array<std::uint8_t, 256> hexadecimalValues = [] {
 std::uint8_t hexadecimalValue(char c) { return hexadecimalValues[static_cast<std::uint8_t>(c)]; }
 }  // namespace
 
-// Without OpenSSL's configuration file, which takes longer to read than a small certificate and might put something else in SHA-256's place.
+// Without OpenSSL's configuration file and lists of algorithms: they take longer to read than a small certificate, and the file might put
+// something else in SHA-256's place.
 Sha256::Sha256() {
-    OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG, nullptr);
+    OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG | OPENSSL_INIT_NO_LOAD_CRYPTO_STRINGS | OPENSSL_INIT_NO_ADD_ALL_CIPHERS | OPENSSL_INIT_NO_ADD_ALL_DIGESTS,
+                        nullptr);
     context_ = EVP_MD_CTX_new();
     if (context_ == nullptr || EVP_DigestInit_ex(context_, EVP_sha256(), nullptr) != 1)
         throw std::runtime_error("SHA-256 is not available");
