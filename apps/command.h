@@ -10,6 +10,7 @@
 
 #include "core/complex/build.h"
 #include "core/complex/input.h"
+#include "core/placement/global.h"
 
 namespace confidel {
 
@@ -43,6 +44,8 @@ void add_falsify(CLI::App& app, Selection& selection);
 
 /// The strategies that conform knows.
 const std::vector<std::string>& strategy_names();
+/// The rule of the global strategies; none for the others. Throws CLI::ParseError where --beta makes no sense.
+GlobalRule rule_of(const std::string& strategy, const std::string& beta);
 void add_convert(CLI::App& app, Selection& selection);
 void add_audit(CLI::App& app, Selection& selection);
 void add_explain(CLI::App& app, Selection& selection);

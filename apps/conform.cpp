@@ -287,16 +287,21 @@ int run_conform(const ConformOptions& options) {
   return check(run, complex);
 }
 
-// The rule of the global strategies; none for the others. Throws CLI::ParseError where --beta makes no sense.
 GlobalRule rule_of(const ConformOptions& options) {
-  if (!options.beta.empty() && options.strategy != "paper") throw CLI::ValidationError("--beta", "is for --strategy paper only");
   if (options.max_circumradius > 0 && options.strategy != "paper" && options.strategy != "repaired")
     throw CLI::ValidationError("--max-circumradius", "is for --strategy repaired or paper");
-  if (options.strategy == "repaired") return repaired_rule();
-  if (options.strategy != "paper") return {};
-  if (options.beta.empty()) return paper_rule();
+  return confidel::rule_of(options.strategy, options.beta);
+}
+
+}  // namespace
+
+GlobalRule rule_of(const std::string& strategy, const std::string& beta) {
+  if (!beta.empty() && strategy != "paper") throw CLI::ValidationError("--beta", "is for --strategy paper only");
+  if (strategy == "repaired") return repaired_rule();
+  if (strategy != "paper") return {};
+  if (beta.empty()) return paper_rule();
   mpq_class share;
-  if (options.beta.size() > 20 || options.beta.find_first_not_of("0123456789/") != std::string::npos || share.set_str(options.beta, 10) != 0 || share.get_den() == 0)
+  if (beta.size() > 20 || beta.find_first_not_of("0123456789/") != std::string::npos || share.set_str(beta, 10) != 0 || share.get_den() == 0)
     throw CLI::ValidationError("--beta", "a part such as 1/3 is expected");
   share.canonicalize();
   try {
@@ -305,8 +310,6 @@ GlobalRule rule_of(const ConformOptions& options) {
     throw CLI::ValidationError("--beta", error.what());
   }
 }
-
-}  // namespace
 
 void add_conform(CLI::App& app, Selection& selection) {
   auto options = std::make_shared<ConformOptions>();

@@ -7,8 +7,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "apps/algebraic.h"
 #include "apps/command.h"
-#include "proofs/lemmas/algebraic.h"
 #include "proofs/lemmas/certificate_instance.h"
 #include "proofs/lemmas/lemma.h"
 
@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 struct LemmaOptions {
   std::string id, file, kernel = "rational";
   bool json = false;
+  AlgebraicOptions algebraic;
 };
 
 int list_lemmas(const LemmaOptions& options) {
@@ -121,51 +122,41 @@ int check_lemmas(const LemmaOptions& options) {
   return good ? exit_success : exit_refuted;
 }
 
-/// What only roots can decide. Exit 1 if anything did not come out as the page says.
-int decide_algebraically(const LemmaOptions& options) {
-  bool good = true;
-  Json list = Json::array();
-  for (const AlgebraicResult& result : decide_extremal_statements()) {
-    good = good && result.holds;
-    if (options.json)
-      list.push_back({{"id", result.id}, {"statement", result.statement}, {"settles", result.settles}, {"comparisons", result.comparisons}, {"holds", result.holds}});
-    else
-      fmt::print("{}: {} ({} exact comparisons)\n  {}\n  settles {}\n", result.id, result.holds ? "holds" : "FAILS", result.comparisons, result.statement, result.settles);
-  }
-  const AlgebraicCorner corner = tetrahedron_corner();
-  const std::pair<const char*, bool> facts[] = {{"H-ball with |p-v| = r", corner.on_sphere}, {"L1 with b = h", corner.spacing_is_h}, {"right angles at m", corner.right_angles},
-                                                {"L9", corner.end_cells_empty}, {"L10", corner.spokes_miss_caps}, {"L11", corner.spokes_empty}};
-  Json of_corner{{"points", corner.points}, {"T", corner.end_cells}, {"S", corner.spoke_cells}};
-  std::string text;
-  for (const auto& [name, holds] : facts) {
-    good = good && holds;
-    of_corner[name] = holds;
-    text += fmt::format("  {}: {}\n", name, holds ? "holds" : "FAILS");
-  }
-  of_corner["slack"] = {{"L9", corner.end_cell_slack}, {"L10", corner.cap_slack}, {"L11", corner.spoke_slack}};
-  if (options.json)
-    fmt::print("{}\n", Json{{"good", good}, {"statements", list}, {"tetrahedron_corner", of_corner}}.dump(2));
-  else
-    fmt::print("A vertex of the regular tetrahedron, arc points exactly on the sphere ({} points, {} cells T, {} cells S):\n{}  smallest P/R^2: L9 {:.6g}, L10 {:.6g}, L11 {:.6g}\n",
-               corner.points, corner.end_cells, corner.spoke_cells, text, corner.end_cell_slack, corner.cap_slack, corner.spoke_slack);
-  return good ? exit_success : exit_refuted;
-}
-
 }  // namespace
 
 void add_lemma(CLI::App& app, Selection& selection) {
   auto options = std::make_shared<LemmaOptions>();
   CLI::App* command = app.add_subcommand("lemma", "The paper's statements, and what of them holds in a certificate");
   command->require_subcommand(0, 1);
-  command->add_option("--kernel", options->kernel, "algebraic: instead of a certificate, the extremal statements that need square roots, decided exactly")
+  command->add_option("FILE", options->algebraic.file, "With --kernel algebraic: an input (.smesh, .off, ...), small: the lemmas on the exact points of a global strategy");
+  command->add_option("--kernel", options->kernel,
+                      "algebraic: with square roots, decided exactly; without FILE the extremal statements, which are about the paper's constants")
       ->check(CLI::IsMember({"rational", "algebraic"}));
+  command->add_option("--strategy", options->algebraic.strategy, "With FILE: the parameters: repaired, or the paper's own")
+      ->check(CLI::IsMember({"repaired", "paper"}))->capture_default_str();
+  command->add_option("--beta", options->algebraic.beta, "With --strategy paper: as for conform")->option_text("P/Q");
+  command->add_option("--max-points", options->algebraic.max_points,
+                      "With FILE: where the facets' insides need more, they stay empty; UNDECIDED when the buffer zones alone need more; 0: no limit")
+      ->check(CLI::NonNegativeNumber)->capture_default_str();
+  add_build_options(*command, options->algebraic.build);
   command->add_flag("--json", options->json, "One JSON document");
-  command->footer("Examples:\n  confidel lemma list\n  confidel conform examples/fan.off -o fan.cert && confidel lemma check L18 fan.cert");
+  command->footer(
+      "Examples:\n  confidel lemma list\n  confidel conform examples/fan.off -o fan.cert && confidel lemma check L18 fan.cert\n"
+      "  confidel lemma --kernel algebraic examples/tetrahedron.off\n\n"
+      "Exit codes: 0 everything holds, 1 something does not, 2 bad input, 3 undecided, 4 unreadable file.");
   command->callback([command, options, &selection] {
-    if (options->kernel == "algebraic" && command->get_subcommands().empty())
-      selection.run = [options] { return decide_algebraically(*options); };
-    else if (options->kernel == "algebraic")
-      throw CLI::ValidationError("--kernel algebraic", "takes no command: its statements are about the paper's constants, not about a certificate");
+    AlgebraicOptions& algebraic = options->algebraic;
+    algebraic.json = options->json;
+    if (options->kernel == "algebraic" && command->get_subcommands().empty() && algebraic.file.empty()) {
+      selection.run = [options] { return decide_algebraically(options->json); };
+    } else if (options->kernel == "algebraic" && command->get_subcommands().empty()) {
+      selection.json = options->json;
+      algebraic.rule = rule_of(algebraic.strategy, algebraic.beta);
+      selection.run = [options] { return check_algebraically(options->algebraic); };
+    } else if (options->kernel == "algebraic")
+      throw CLI::ValidationError("--kernel algebraic", "takes no command: its statements are about the paper's constants and points, not about a certificate");
+    else if (command->get_subcommands().empty() && !algebraic.file.empty())
+      throw CLI::ValidationError("FILE", "is for --kernel algebraic; `confidel lemma check all CERTIFICATE` tests a certificate");
     else if (command->get_subcommands().empty())
       throw CLI::CallForHelp();
   });

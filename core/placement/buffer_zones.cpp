@@ -242,7 +242,12 @@ void BufferZones::divide_sectors(const Spacing& spacing) {
   divide_arcs([&](const Sector& sector) {
     const double r = radius_[sector.vertex], angle = sector.last - sector.first;
     const double unit = 2 * std::asin(spacing.place / (2 * r));
-    int count = std::max(2, static_cast<int>(std::floor(angle / unit * (1 + 1e-9))));
+    int count = static_cast<int>(std::floor(angle / unit * (1 + 1e-9)));
+    if (spacing.reaches) {
+      const int nearest = static_cast<int>(std::lround(angle / unit));
+      if (std::abs(angle / unit - nearest) < 1e-9 * nearest) count = spacing.reaches(sector.facet, sector.vertex, sector.row[0], sector.row[1], nearest) ? nearest : nearest - 1;
+    }
+    count = std::max(2, count);
     // Just below three units, two chords are longer than 1.5 least: there three chords are not shorter than least.
     if (2 * r * std::sin(angle / (2 * count)) > 1.5 * spacing.least * (1 - 0x1p-30)) ++count;
     return count;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <unordered_map>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct BufferSizes {
 struct Spacing {
   double place = 0;  ///< h0
   double least = 0;  ///< h, a little below
+  /// Is the facet's arc at the vertex, from the segment `first` to `last` (both -1: the whole circle), at least as long as `count` chords
+  /// of h0? Asked where floating point cannot tell. Without it: yes, and `least` makes up for it.
+  using Reaches = std::function<bool(FacetId facet, VertexId vertex, SegmentId first, SegmentId last, int count)>;
+  Reaches reaches;
 };
 
 /// One cell of the buffer zones, or the two of a rectangle.

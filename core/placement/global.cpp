@@ -15,8 +15,6 @@
 namespace confidel {
 namespace {
 
-// Refinement ends at circumradius (1 + eta) h, because circumcentres are rounded by eta h/4 (theory.md section 5).
-constexpr double eta = 1.0 / 16;
 // The estimate must exceed --max-points by this factor before a run is refused for it.
 constexpr double estimate_margin = 1.2;
 // Buffer zones up to this size are built and tested even where --max-points will refuse what follows: they may refute.
@@ -24,16 +22,15 @@ constexpr double tested_points = 3e5;
 // Chew's refinement puts one point on so many h^2 of a facet, half a point of its boundary counted; measured on cubes, fans and wedges.
 constexpr double area_per_point = 1.7;
 
-BufferSizes buffer_sizes(const Complex& complex, const Features& features, const GlobalSizes& global) {
+BufferSizes buffer_sizes(const Complex& complex, const Features& features, const GlobalSizes& global, double rounding) {
   BufferSizes sizes;
   const double ratio = global.greatest_spacing / global.offset;
   sizes.radius.assign(complex.vertices.size(), global.radius);
   sizes.offset.assign(complex.segments.size(), global.offset);
   sizes.dihedral = features.dihedral_angle;
-  // Roundings far below h^2/(16 r), theory.md's budget, and below what the claims about the sizes leave.
   sizes.vertex_angle.assign(complex.vertices.size(), global.greatest_spacing / global.radius);
-  sizes.vertex_precision = 0x1p-24;
-  sizes.offset_precision = std::min(1.0, ratio * ratio) * 0x1p-24;
+  sizes.vertex_precision = rounding;
+  sizes.offset_precision = std::min(1.0, ratio * ratio) * rounding;
   return sizes;
 }
 
@@ -41,9 +38,10 @@ class GlobalStrategy {
  public:
   GlobalStrategy(const Complex& complex, const Features& features, const GlobalRule& rule, const Limits& limits, Progress& progress)
       : complex_(complex), rule_(rule), limits_(limits), progress_(progress), sizes_(global_sizes(features, rule)),
-        zones_(complex, buffer_sizes(complex, features, sizes_), BufferZones::Stage::ends), index_(complex.vertices) {
+        zones_(complex, buffer_sizes(complex, features, sizes_, rule.rounding), BufferZones::Stage::ends), index_(complex.vertices) {
     spacing_.place = sizes_.greatest_spacing;
     spacing_.least = spacing_.place * rule.least_share;
+    spacing_.reaches = rule.reaches;
   }
 
   Placement run() {
@@ -59,6 +57,13 @@ class GlobalStrategy {
     index_new_points();
     if (auto placement = test_buffer_zones(true)) return *placement;
     test_hanging();
+    if (!rule_.fill) {
+      zones_.build_regions();
+      Placement placement = zones_.result();
+      std::erase_if(placement.cells, [](const PlacedCell& cell) { return cell.kind == CellKind::C; });
+      describe(placement, {});
+      return placement;
+    }
     const double expected = estimate();
     progress_.estimated(expected);
     if (too_many(expected)) refuse();
@@ -155,13 +160,13 @@ class GlobalStrategy {
     bool encroached(const Point& a, const Point& b, const Point& c, bool) override {
       Double3 offset;
       circumscribed_ball(a, b, c, &offset);
-      return !(length(offset) <= (1 + eta) * owner_.spacing_.least * (1 - 0x1p-30));
+      return !(length(offset) <= (1 + owner_.rule_.eta) * owner_.spacing_.least * (1 - 0x1p-30));
     }
     Point circumcentre(const Point& a, const Point& b, const Point& c) override {
       Double3 offset;
       circumscribed_ball(a, b, c, &offset);
       owner_.placed_.fetch_add(1, std::memory_order_relaxed);
-      return rounding_.round(a, offset, owner_.spacing_.least * eta / 8);
+      return rounding_.round(a, offset, owner_.spacing_.least * owner_.rule_.eta / 8);
     }
     bool stopped() override {
       const long count = owner_.zones_.point_count() + owner_.placed_.load(std::memory_order_relaxed);

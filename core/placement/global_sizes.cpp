@@ -51,6 +51,7 @@ GlobalRule paper_rule(const std::optional<mpq_class>& beta_share) {
 }
 
 GlobalSizes global_sizes(const Features& features, const GlobalRule& rule) {
+  if (rule.sizes) return *rule.sizes;
   double phi = std::numbers::pi / 4, alpha = std::numbers::pi;
   for (const auto* angles : {&features.segment_angle, &features.facet_angle}) {
     if (angles == &features.facet_angle && !rule.facet_angles) continue;

@@ -223,6 +223,7 @@ Instance instance_of(const Complex& complex, const Placement& placement, bool wi
   result.hanging = placement.hanging;
   result.parameters = placement.parameters;
   result.insertions = placement.insertions;
+  result.whole = !placement.refutation;
   result.derive();
   return result;
 }
