@@ -72,6 +72,7 @@ constexpr Explanation table[] = {
     {"cells", "reason", "What ranges over cells was tested for those of `--cells` only.", "Test the others too, or without that option."},
     {"newer-version", "reason", "The certificate is of a version that this checker does not know.", "Use a newer checker."},
     {"strategy-failed", "reason", "A strategy found that it cannot go on with this input; it never answers wrongly instead.", "Try the other strategy: `--strategy graded` or `--strategy lean`."},
+    {"algebraic-degree", "reason", "`lemma --kernel algebraic`: a sign needs more independent square roots than are decided.", "Give the input simpler coordinates, or test the rational points: `confidel lemma check all CERTIFICATE`."},
     {"no-certificate", "reason", "Of a mesh under audit nothing fails, but a segment outside of all facets has a point in the smallest ball of a piece: certificates of this version cannot say that it is an edge nevertheless.", "Split that piece."},
 
     {"H-angle", "claim", "The angle that the parameters are made from is at most every angle of the complex that counts (docs/lemma-claims.md, section 4).", ""},

@@ -80,7 +80,7 @@ class Check {
       exact_rule.fill = false;
       placement = place_global(complex_, features, exact_rule, limits_, progress_);
     }
-    if (placement.refutation.has_value() == report_.refutes.empty()) throw StrategyFailed(rule_.name + ": rounded and unrounded sizes disagree about a refutation");
+    if ((placement.refutation ? placement.refutation->statement : "") != report_.refutes) throw StrategyFailed(rule_.name + ": rounded and unrounded sizes disagree about a refutation");
     const Instance rational = report_.filled ? instance_of(complex_, place_global(complex_, features, rule_, {0, limits_.threads}, progress_), true) : rational_zones;
 
     Instance instance = instance_of(complex_, placement, true);
