@@ -2,10 +2,11 @@
 // The lemmas on exact points; and that a point which is not where it belongs is noticed.
 #include "proofs/lemmas/algebraic_instance.h"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
+#include "core/complex/build.h"
 #include "core/io/read.h"
-#include "tests/core/complex/triangulation_rules.h"
 #include "tests/support/placing.h"
 
 using namespace confidel;
