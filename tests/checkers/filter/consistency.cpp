@@ -90,11 +90,12 @@ public:
             }
     }
 
-    // The cell of the first three points, and one of some others in their plane.
+    // The cell of the first three points, beginning with any of them. (Point 0 is the origin of the grid.)
     void testCell(const mpq_class* offset) {
         Cell cell{};
         cell.offset = none;
-        for (std::uint32_t i = 0; i < 3; ++i) cell.corner[i] = i;
+        const auto turn = static_cast<std::uint32_t>(below(6));
+        for (std::uint32_t i = 0; i < 3; ++i) cell.corner[i] = turn < 3 ? i : (i + turn) % 3;
         const Place u = places[1] - places[0], w = places[2] - places[0], n = cross(u, w);
         const mpq_class uu = dot(u, u), ww = dot(w, w), uw = dot(u, w), nn = dot(n, n);
         if (sgn(nn) == 0) return;
