@@ -127,13 +127,16 @@ def limited():
 class Judge:
     def __init__(self, original, folder, changed):
         self.cases = os.path.join(folder, "cases.tsv")
+        # A copy: a file that changes while mutants run would be noticed by each of them.
+        self.certificates = os.path.join(folder, "certificates")
+        shutil.copytree(CERTIFICATES, self.certificates)
         entries = []
-        with open(os.path.join(CERTIFICATES, "MANIFEST.tsv")) as file:
+        with open(os.path.join(self.certificates, "MANIFEST.tsv")) as file:
             for line in file:
                 if not line.startswith("#"):
                     path, code, expected, _ = line.rstrip("\n").split("\t")
-                    entries.append((os.path.join(CERTIFICATES, path), code, expected))
-        produced = os.path.join(CERTIFICATES, "produced")
+                    entries.append((os.path.join(self.certificates, path), code, expected))
+        produced = os.path.join(self.certificates, "produced")
         entries += [(os.path.join(produced, name), "0", "s VERIFIED") for name in sorted(os.listdir(produced))]
         entries.sort(key=lambda entry: os.path.getsize(entry[0]))
         lines = ["%s\t%s\t%s\t--threads\t1\n" % (code, expected, path) for path, code, expected in entries]
@@ -172,7 +175,7 @@ class Judge:
                 answer = process.stdout.readline()
                 if not answer.startswith("%d\t" % number):
                     raise RuntimeError("the driver ended at mutant %d: %r" % (number, answer))
-                yield number, os.path.relpath(answer.rstrip("\n").split("\t")[1], CERTIFICATES) if "/" in answer else answer.rstrip("\n").split("\t")[1] or None
+                yield number, os.path.relpath(answer.rstrip("\n").split("\t")[1], self.certificates) if "/" in answer else answer.rstrip("\n").split("\t")[1] or None
 
     @staticmethod
     def on_command_lines(program, number):
