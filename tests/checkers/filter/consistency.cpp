@@ -77,6 +77,7 @@ public:
         mpz_mul(scale, scale, other);
         if (!certificate.points.hasCommon()) certificate.normalScales.append(scale);
         normals = std::make_unique<FloatNormals>(certificate);
+        for (const unsigned long part : {5, 3}) certificate.offsets.append(mpz_class(part).get_mpz_t());  // of no cell here
         for (std::uint32_t i = 0; i < places.size(); ++i) all.push_back(i);
         index = std::make_unique<Index>(certificate, all, 1);
         unit = 1;
