@@ -157,7 +157,7 @@ class GlobalStrategy {
    public:
     Environment(GlobalStrategy& owner, FacetId facet)
         : owner_(owner), rounding_{owner.zones_.frame(facet), owner.complex_.vertices[owner.complex_.facets[facet].frame[0]], reach(owner.complex_, facet)} {}
-    bool encroached(const Point& a, const Point& b, const Point& c, bool) override {
+    bool encroached(const Point& a, const Point& b, const Point& c, bool, Ball&) override {
       Double3 offset;
       circumscribed_ball(a, b, c, &offset);
       return !(length(offset) <= (1 + owner_.rule_.eta) * owner_.spacing_.least * (1 - 0x1p-30));

@@ -91,9 +91,9 @@ class Refinement {
     return recent;
   }
 
-  bool encroached(const PointIndex& index, Projection projection, const Point& a, const Point& b, const Point& c,
+  bool encroached(const PointIndex& index, Projection projection, Ball& ball, const Point& a, const Point& b, const Point& c,
                   const Point* first = nullptr, const Point* second = nullptr) const {
-    const Ball ball = circumscribed_ball(a, b, c);
+    if (ball.radius < 0) ball = circumscribed_ball(a, b, c);
     return index.visit_ball(ball.centre, ball.radius, [&](int id) {
       const Point& p = zones_.point(id);
       if (&p == &a || &p == &b || &p == &c) return false;
@@ -112,7 +112,8 @@ class Refinement {
   bool rectangle_encroached(const PointIndex& index, const BufferZones::Row& row, const BufferZones::Protector& protector, std::size_t i) const {
     const Point *a = &zones_.point(row.stations[i].point), *b = &zones_.point(row.stations[i + 1].point);
     if (!protector.left) std::swap(a, b);
-    return encroached(index, projections_[protector.facet], *a, *b, zones_.point(protector.points[i]), a, b);
+    Ball ball;
+    return encroached(index, projections_[protector.facet], ball, *a, *b, zones_.point(protector.points[i]), a, b);
   }
 
   // Once, when the pilot's points are used up or a limit ends the run: what is known to be open is extrapolated.
@@ -172,7 +173,8 @@ class Refinement {
     for (std::size_t s = 0; s < sectors.size(); ++s) {
       auto& sector = sectors[s];
       for (std::size_t i = 0; i + 1 < sector.arc.size(); ++i) {
-        const bool bad = encroached(sector.free[i] ? recent : all_, projections_[sector.facet], complex_.vertices[sector.vertex],
+        Ball ball;
+        const bool bad = encroached(sector.free[i] ? recent : all_, projections_[sector.facet], ball, complex_.vertices[sector.vertex],
                                     zones_.point(sector.arc[i].point), zones_.point(sector.arc[i + 1].point));
         sector.free[i] = !bad;
         if (bad) zones_.request_sector(static_cast<int>(s), static_cast<int>(i));
@@ -192,8 +194,11 @@ class Refinement {
   class Environment : public RegionEnvironment {
    public:
     Environment(Refinement& owner, FacetId facet, const PointIndex& recent) : owner_(owner), facet_(facet), recent_(recent) {}
-    bool encroached(const Point& a, const Point& b, const Point& c, bool only_new) override {
-      return owner_.encroached(only_new ? recent_ : owner_.all_, owner_.projections_[facet_], a, b, c);
+    bool encroached(const Point& a, const Point& b, const Point& c, bool only_new, Ball& ball) override {
+      return owner_.encroached(only_new ? recent_ : owner_.all_, owner_.projections_[facet_], ball, a, b, c);
+    }
+    bool near_new_point(const Ball& ball) override {
+      return recent_.visit_ball(ball.centre, ball.radius, [](int) { return true; });
     }
     Point circumcentre(const Point& a, const Point& b, const Point& c) override {
       Double3 offset;
@@ -259,7 +264,8 @@ class Refinement {
         const Point &v = complex_.vertices[sector.vertex], &m = zones_.point(zones_.projection_point(sector, side));
         const Point& a = zones_.point(side == 0 ? sector.arc.front().point : sector.arc.back().point);
         const Point *first = side == 0 ? &v : &m, *second = side == 0 ? &m : &v;
-        if (encroached(all_, projections_[sector.facet], v, m, a, first, second))
+        Ball ball;
+        if (encroached(all_, projections_[sector.facet], ball, v, m, a, first, second))
           throw StrategyFailed("graded: the triangle at the end of an edge is encroached (vertex " + std::to_string(sector.vertex) + ")");
       }
     }

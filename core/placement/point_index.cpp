@@ -2,6 +2,7 @@
 #include "core/placement/point_index.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace confidel {
 namespace {
@@ -29,6 +30,25 @@ PointIndex::PointIndex(const Position& low, const Position& high) {
 
 PointIndex::PointIndex(const std::vector<Point>& points) : PointIndex(corner(points, -1), corner(points, 1)) {}
 
+void PointIndex::add(int node, int id, const Position& position) {
+  const int entry = nodes_[node].count % Block::size;
+  if (entry == 0) {
+    int block = unused_;
+    if (block >= 0) {
+      unused_ = blocks_[block].next;
+    } else {
+      block = static_cast<int>(blocks_.size());
+      blocks_.emplace_back();
+    }
+    blocks_[block].next = nodes_[node].block;
+    nodes_[node].block = block;
+  }
+  Block& block = blocks_[nodes_[node].block];
+  block.positions[entry] = position;
+  block.ids[entry] = id;
+  ++nodes_[node].count;
+}
+
 void PointIndex::insert(int id, const Position& position) {
   // A point outside the root's box would be missed by pruning: grow the box. Its octant lists stay valid only in an empty tree,
   // so the tree is rebuilt; callers give a box, and this does not happen.
@@ -39,13 +59,15 @@ void PointIndex::insert(int id, const Position& position) {
   };
   while (outside()) {
     half_ *= 2;
-    std::vector<int> ids;
-    std::vector<Position> positions;
-    ids.swap(ids_);
-    positions.swap(positions_);
-    nodes_.assign(1, Node());
-    next_.clear();
-    for (std::size_t i = 0; i < ids.size(); ++i) insert(ids[i], positions[i]);
+    const std::vector<Node> nodes = std::exchange(nodes_, std::vector<Node>(1));
+    const std::vector<Block> blocks = std::exchange(blocks_, {});
+    size_ = 0;
+    unused_ = -1;
+    for (const Node& leaf : nodes) {
+      int filled = (leaf.count - 1) % Block::size + 1;
+      for (int b = leaf.block; b >= 0; b = blocks[b].next, filled = Block::size)
+        for (int entry = 0; entry < filled; ++entry) insert(blocks[b].ids[entry], blocks[b].positions[entry]);
+    }
   }
 
   int node = 0;
@@ -62,25 +84,22 @@ void PointIndex::insert(int id, const Position& position) {
     descend(node, middle, half, position);
     ++depth;
   }
-  const int entry = static_cast<int>(ids_.size());
-  ids_.push_back(id);
-  positions_.push_back(position);
-  next_.push_back(nodes_[node].head);
-  nodes_[node].head = entry;
-  ++nodes_[node].count;
+  add(node, id, position);
+  ++size_;
   while (nodes_[node].count > bucket_size && depth < greatest_depth) {
     const int child = static_cast<int>(nodes_.size());
     nodes_.resize(nodes_.size() + 8);
-    for (int e = nodes_[node].head; e >= 0;) {
-      const int following = next_[e];
-      Node& target = nodes_[child + octant(middle, positions_[e])];
-      next_[e] = target.head;
-      target.head = e;
-      ++target.count;
-      e = following;
+    int filled = (nodes_[node].count - 1) % Block::size + 1;
+    for (int b = nodes_[node].block; b >= 0; filled = Block::size) {
+      const Block block = blocks_[b];
+      blocks_[b].next = unused_;
+      unused_ = b;
+      for (int entry = filled - 1; entry >= 0; --entry)
+        add(child + octant(middle, block.positions[entry]), block.ids[entry], block.positions[entry]);
+      b = block.next;
     }
     nodes_[node].child = child;
-    nodes_[node].head = -1;
+    nodes_[node].block = -1;
     nodes_[node].count = 0;
     descend(node, middle, half, position);
     ++depth;

@@ -8,11 +8,6 @@
 
 namespace confidel {
 
-struct Ball {
-  Double3 centre;
-  double radius;
-};
-
 /// The smallest ball with a, b, c on its sphere, inflated by a bound on its error: for pruning only. offset: centre minus a, not inflated.
 Ball circumscribed_ball(const Point& a, const Point& b, const Point& c, Double3* offset = nullptr);
 

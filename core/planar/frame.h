@@ -20,6 +20,12 @@ inline Double3 cross(const Double3& a, const Double3& b) {
 }
 double length(const Double3& a);
 
+/// Where to look for points: for pruning only. Of unknown size while the radius is negative.
+struct Ball {
+  Double3 centre{};
+  double radius = -1;
+};
+
 /// The difference to - from, each component with a relative error of about 2^-52: cancellation does no harm.
 Double3 approximate_difference(const Point& to, const Point& from);
 

@@ -19,6 +19,7 @@ namespace {
 struct FaceInfo {
   bool inside = false;
   bool free = false;  // known not to be encroached by anything but later points
+  Ball ball{};        // where those would be
 };
 
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, PlanarTraits>;
@@ -59,7 +60,7 @@ struct Region::Implementation {
   bool inside(FaceHandle f) const { return !triangulation.is_infinite(f) && f->info().inside; }
 
   void mark() {
-    for (auto f = triangulation.all_faces_begin(); f != triangulation.all_faces_end(); ++f) f->info() = FaceInfo{false, false};
+    for (auto f = triangulation.all_faces_begin(); f != triangulation.all_faces_end(); ++f) f->info() = FaceInfo{.inside = false};
     // Breadth-first over faces; a face's depth is the number of boundary segments crossed.
     std::vector<std::pair<FaceHandle, bool>> todo{{triangulation.infinite_face(), false}};
     CGAL::Unique_hash_map<FaceHandle, bool> seen(false);
@@ -151,7 +152,7 @@ int Region::split(int a, int b, const Point& p) {
       if (!t.is_infinite(f))
         for (int i = 0; i < 3 && !within; ++i)
           within = planar_orientation(self.projection, pa, pb, self.point(f->vertex(i))) == side;
-      f->info() = FaceInfo{within, false};
+      f->info() = FaceInfo{.inside = within};
     } while (++f != end);
     return v->info();
   }
@@ -159,7 +160,7 @@ int Region::split(int a, int b, const Point& p) {
   if (face == FaceHandle()) throw std::logic_error("region: an arc point lies beyond a boundary segment");
   VertexHandle v = self.number(t.insert(PlanarPoint{&p}, face));
   auto f = t.incident_faces(v), end = f;
-  do f->info() = FaceInfo{true, false};
+  do f->info() = FaceInfo{.inside = true};
   while (++f != end);
   bool simple = true;
   for (int other : {a, b}) {
@@ -176,7 +177,7 @@ int Region::split(int a, int b, const Point& p) {
     if (g->vertex(i) == v) return Edge(g, i);
     return Edge(g->neighbor(i), t.mirror_index(g, i));
   }();
-  old.first->info() = FaceInfo{false, false};
+  old.first->info() = FaceInfo{.inside = false};
   t.remove_constrained_edge(old.first, old.second);
   if (!simple) self.mark();  // constraints were forced through triangles: which are new is unknown
   self.hint = v->face();
@@ -220,8 +221,10 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
     queue.emplace(area > 0 ? x * y * z / area : 1e300, -v[0], -v[1], -v[2]);
   };
   const auto examine = [&](FaceHandle f) {
-    const bool bad = environment.encroached(self.point(f->vertex(0)), self.point(f->vertex(1)), self.point(f->vertex(2)), f->info().free);
-    f->info().free = !bad;
+    FaceInfo& info = f->info();
+    if (info.free && info.ball.radius >= 0 && !environment.near_new_point(info.ball)) return;
+    const bool bad = environment.encroached(self.point(f->vertex(0)), self.point(f->vertex(1)), self.point(f->vertex(2)), info.free, info.ball);
+    info.free = !bad;
     if (bad) push(f);
   };
   for (auto f = t.finite_faces_begin(); f != t.finite_faces_end(); ++f)
@@ -275,7 +278,7 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
     environment.inserted(corners, v->info());
     auto g = t.incident_faces(v), end = g;
     do {
-      g->info() = FaceInfo{true, false};
+      g->info() = FaceInfo{.inside = true};
       examine(g);
     } while (++g != end);
   }

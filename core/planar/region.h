@@ -9,6 +9,7 @@
 
 #include "core/numbers/point.h"
 #include "core/numbers/predicates.h"
+#include "core/planar/frame.h"
 
 namespace confidel {
 
@@ -18,7 +19,10 @@ class RegionEnvironment {
   virtual ~RegionEnvironment() = default;
   /// Is the triangle's diametral sphere encroached (theory.md section 4: power < 0, or = 0 off the plane), by any point known
   /// outside this region's own new points? With only_new: by a point that is new since the last call for this triangle.
-  virtual bool encroached(const Point& a, const Point& b, const Point& c, bool only_new) = 0;
+  /// May set ball to one that every encroaching point lies in; the region keeps it with the triangle.
+  virtual bool encroached(const Point& a, const Point& b, const Point& c, bool only_new, Ball& ball) = 0;
+  /// May a point that is new since the last call lie in this ball? Saves the call with only_new, which must fetch the triangle's corners.
+  virtual bool near_new_point(const Ball& /*ball*/) { return true; }
   /// The triangle's circumcentre, rounded within the plane (theory.md section 5).
   virtual Point circumcentre(const Point& a, const Point& b, const Point& c) = 0;
   /// True when a limit is reached: refinement returns at once.
