@@ -10,6 +10,11 @@
 // and the rounding of the permanent. The constants below are these numbers, rounded up generously. No underflow: e >= 2^-48, so a
 // permanent of degree <= 6 is at least 2^-288, and an underflow's absolute error of 2^-1074 vanishes in the 1. Overflow gives an
 // infinite or undefined bound, which decides nothing. (Coordinates below 2^-900 have an absolute error below 2^-1000: covered likewise.)
+//
+// Short coordinates. Let g = 2^-e, where e is the greatest exponent of the points: coordinates and differences are multiples of g, monomials of
+// degree k and their sums multiples of g^k. If the permanent is below 2^53 g^k (2^52 is tested: it is computed with roundings), then nothing
+// was rounded, except in factors of something that is zero: any other factor of degree j is multiplied by at least g^(k-j) and so is itself
+// below 2^53 g^j. The computed sign is the exact one then, 0 included: grids, where ties abound, need no integers.
 #include "core/numbers/predicates.h"
 
 #include <algorithm>
@@ -49,6 +54,17 @@ inline int decide(double value, double bound) {
   if (value < -bound) return -1;
   return undecided;
 }
+
+// See "short coordinates" above. permanent: not scaled by the unit.
+template <class... Points>
+inline bool without_rounding(double permanent, int degree, const Points&... points) {
+  const int exponent = std::max({points.exponent()...});
+  if (std::abs(exponent) > 150 || !(permanent < std::ldexp(1.0, 52 - degree * exponent))) return false;
+  const auto is_short = [](const Point& p) { return p.low(0) == 0 && p.low(1) == 0 && p.low(2) == 0; };
+  return (is_short(points) && ...);
+}
+
+inline int sign_of(double value) { return (value > 0) - (value < 0); }
 
 // Differences to a common reference as integers over one common denominator, in thread-local storage: the exact stage
 // allocates nothing once it is warm.
@@ -188,8 +204,10 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d) 
   const Vector q = vector_of(c, a, floor);
   const Vector r = vector_of(d, a, floor);
   // degree 3, at most 5 roundings
-  const int sign = decide(determinant(p, q, r), 16 * unit * permanent(p, q, r));
-  return sign != undecided ? sign : exact_orientation(a, b, c, d);
+  const double value = determinant(p, q, r), bound = permanent(p, q, r);
+  const int sign = decide(value, 16 * unit * bound);
+  if (sign != undecided) return sign;
+  return without_rounding(bound, 3, a, b, c, d) ? sign_of(value) : exact_orientation(a, b, c, d);
 }
 
 bool collinear(const Point& a, const Point& b, const Point& c) {
@@ -222,8 +240,10 @@ int planar_orientation(Projection projection, const Point& a, const Point& b, co
   const double qx = difference_of(c, a, i), qy = difference_of(c, a, j);
   const double bound = (std::abs(px) + floor) * (std::abs(qy) + floor) + (std::abs(py) + floor) * (std::abs(qx) + floor);
   // degree 2, 2 roundings
-  const int sign = decide(px * qy - py * qx, 8 * unit * bound);
-  return sign != undecided ? sign * projection.sign : exact_planar_orientation(projection, a, b, c);
+  const double value = px * qy - py * qx;
+  const int sign = decide(value, 8 * unit * bound);
+  if (sign != undecided) return sign * projection.sign;
+  return without_rounding(bound, 2, a, b, c) ? sign_of(value) * projection.sign : exact_planar_orientation(projection, a, b, c);
 }
 
 int planar_compare_axis(Projection projection, int which, const Point& a, const Point& b) {
@@ -258,7 +278,8 @@ int planar_in_circle(Projection projection, const Point& a, const Point& b, cons
   }
   // degree 4, at most 3 + 2 + 1 + 3 roundings
   const int sign = decide(value, 24 * unit * bound);
-  return sign != undecided ? sign * projection.sign : exact_planar_in_circle(projection, a, b, c, d);
+  if (sign != undecided) return sign * projection.sign;
+  return without_rounding(bound, 4, a, b, c, d) ? sign_of(value) * projection.sign : exact_planar_in_circle(projection, a, b, c, d);
 }
 
 int diametral_power(const Point& a, const Point& b, const Point& c, const Point& x) {
@@ -276,7 +297,8 @@ int diametral_power(const Point& a, const Point& b, const Point& c, const Point&
   const double bound = (enx * enx + eny * eny + enz * enz) * square_bound(d) + square_bound(u) * edwn + square_bound(w) * eudn;
   // degree 6, at most 2 + 2 + 3 + 3 + 1 + 2 roundings in a monomial
   const int sign = decide(value, 40 * unit * bound);
-  return sign != undecided ? sign : exact_diametral_power(a, b, c, x);
+  if (sign != undecided) return sign;
+  return without_rounding(bound, 6, a, b, c, x) ? sign_of(value) : exact_diametral_power(a, b, c, x);
 }
 
 int diametral_power(const Point& a, const Point& b, const Point& x) {
@@ -304,7 +326,8 @@ int in_sphere(const Point& a, const Point& b, const Point& c, const Point& d, co
   }
   // degree 5, at most 3 + 5 + 1 + 3 roundings
   const int sign = decide(value, 40 * unit * bound);
-  return sign != undecided ? sign : exact_in_sphere(a, b, c, d, e);
+  if (sign != undecided) return sign;
+  return without_rounding(bound, 5, a, b, c, d, e) ? sign_of(value) : exact_in_sphere(a, b, c, d, e);
 }
 
 int compare_distance(const Point& p, const Point& a, const Point& b) {

@@ -157,6 +157,51 @@ BOOST_AUTO_TEST_CASE(predicates_agree_with_rationals) {
   BOOST_TEST(zeros > tests / 10);
 }
 
+// Grids of all sizes: the stage for short coordinates has to know when it may decide.
+BOOST_AUTO_TEST_CASE(predicates_agree_with_rationals_on_grids) {
+  std::mt19937 engine(5);
+  int zeros = 0, others = 0;
+  for (int round = 0; round < 40000; ++round) {
+    const int bits = 1 + round % 30, fraction = static_cast<int>(engine() % 40);
+    const auto number = [&] { return static_cast<long>(engine() >> (32 - bits)) * (engine() % 4 != 0 ? 1 : 0); };
+    const auto at = [&](const std::array<long, 3>& x) { return Point(x[0], x[1], x[2], fraction); };
+    const std::array<long, 3> origin{number(), number(), number()}, u{number(), number(), number()}, w{-u[1], u[0], 0}, t{0, 0, number()};
+    const long change = engine() % 2;  // ties, and points one unit beside them
+    const auto corner = [&](int i, int j, int k) {
+      std::array<long, 3> x;
+      for (int axis = 0; axis < 3; ++axis) x[axis] = origin[axis] + i * u[axis] + j * w[axis] + k * t[axis];
+      return x;
+    };
+    auto last = corner(1, 1, 0), top = corner(1, 1, 1);
+    last[round % 3] += change;
+    top[round % 3] += change;
+    const Point a = at(corner(0, 0, 0)), b = at(corner(1, 0, 0)), c = at(corner(0, 1, 0)), y = at(corner(0, 0, 1)), x = at(last), z = at(top);
+    const Rational ra = rational(a), rb = rational(b), rc = rational(c), rx = rational(x), ry = rational(y), rz = rational(z);
+    const Rational n = cross(rb - ra, rc - ra);
+    const int o = sgn(dot(n, rx - ra));
+    BOOST_REQUIRE(orientation(a, b, c, x) == o);
+    if (n[0] == 0 && n[1] == 0 && n[2] == 0) continue;
+    const Rational centre = circumcentre(ra, rb, rc);
+    const int power = sgn(mpq_class(dot(rx - centre, rx - centre) - dot(ra - centre, ra - centre)));
+    BOOST_REQUIRE(diametral_power(a, b, c, x) == power);
+    if (o == 0) {
+      const Projection projection = projection_of(plane_normal(a, b, c));
+      BOOST_REQUIRE(planar_orientation(projection, a, b, x) == sgn(dot(n, cross(rb - ra, rx - ra))));
+      BOOST_REQUIRE(planar_in_circle(projection, a, b, c, x) == -power);
+    }
+    const mpq_class volume = dot(n, ry - ra);
+    if (volume != 0) {
+      const mpq_class lift = mpq_class(dot(ry - centre, ry - centre) - dot(ra - centre, ra - centre)) / (2 * volume);
+      const Rational middle = centre + lift * n;
+      const mpq_class inside = dot(ra - middle, ra - middle) - dot(rz - middle, rz - middle);
+      BOOST_REQUIRE(in_sphere(a, b, c, y, z) == sgn(inside) * sgn(volume));
+      (inside == 0 ? zeros : others) += 1;
+    }
+  }
+  BOOST_TEST(zeros > 3000);
+  BOOST_TEST(others > 5000);
+}
+
 BOOST_AUTO_TEST_CASE(cocircular_points_tie_exactly) {
   const Point a = Point::from_doubles(0, 0, 0), b = Point::from_doubles(0.3, 0, 0), c = Point::from_doubles(0.3, 0.7, 0),
               d = Point::from_doubles(0, 0.7, 0);
