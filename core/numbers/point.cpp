@@ -69,13 +69,13 @@ Point Point::from_doubles(double x, double y, double z) {
 
 void Point::approximate_coordinates() {
   mpz_class rest, ignored;
-  double greatest = 1;
+  double greatest = least_magnitude;
   for (int axis = 0; axis < 3; ++axis) {
     high_[axis] = leading_double(numerator_[axis], exponent_, rest);
     low_[axis] = rest == 0 ? 0.0 : leading_double(rest, exponent_, ignored);
     greatest = std::max(greatest, std::abs(high_[axis]));
   }
-  magnitude_ = greatest == 1 ? 1.0F : static_cast<float>(greatest * (1 + 0x1p-20));
+  magnitude_ = greatest == 1 ? 1.0F : static_cast<float>(greatest * (1 + 0x1p-20));  // rounding to float loses less
 }
 
 Point Point::scaled(int power) const {

@@ -38,7 +38,8 @@ class Point {
   double approximate(int axis) const { return high_[axis]; }
   std::array<double, 3> approximate() const { return {high_[0], high_[1], high_[2]}; }
 
-  /// At least max(1, |x|, |y|, |z|): the filters' floor scales with it.
+  /// At least max(2^-100, |x|, |y|, |z|): the filters' floor scales with it.
+  static constexpr float least_magnitude = 0x1p-100F;
   float magnitude() const { return magnitude_; }
 
   /// The same point times 2^power: exact.
@@ -59,7 +60,7 @@ class Point {
   std::array<double, 3> high_{};
   std::array<double, 3> low_{};
   int exponent_ = 0;
-  float magnitude_ = 1;
+  float magnitude_ = least_magnitude;
 };
 
 struct PointHash {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Error bounds of the filters. Let u = 2^-53 and M >= 1 the greatest magnitude of the points involved.
+// Error bounds of the filters. Let u = 2^-53 and M >= 2^-100 the greatest magnitude of the points involved.
 // A coordinate is high + low with an error of at most 2^-104 M, |low| <= 2^-52 |high|. The difference of two coordinates is
 // computed as d = (ah - bh) + (al - bl); with delta its true value,
 //   |d - delta| <= 2^-103 M (representation) + u (|delta| + 2^-51 M) + u 2^-51 M + u |d| (roundings) <= 2.01 u |d| + 2^-101 M.
 // Let e = |d| + 2^-48 M. As 2^-101 M = u 2^-48 M, |d - delta| <= 2.1 u e and |d| <= e: every difference has, relative to its e, an
 // error of at most 2.1 u. A polynomial of degree k whose monomials each pass through at most r roundings then has an error of at
 // most (2.1 k + r + 1) u times its permanent (the polynomial over e with all signs positive), where the 1 covers second-order terms
-// and the rounding of the permanent. The constants below are these numbers, rounded up generously. No underflow: e >= 2^-48, so a
-// permanent of degree <= 6 is at least 2^-288, and an underflow's absolute error of 2^-1074 vanishes in the 1. Overflow gives an
+// and the rounding of the permanent. The constants below are these numbers, rounded up generously. No underflow: e >= 2^-148, so a
+// permanent of degree <= 6 is at least 2^-888, and an underflow's absolute error of 2^-1074 vanishes in the 1. Overflow gives an
 // infinite or undefined bound, which decides nothing. (Coordinates below 2^-900 have an absolute error below 2^-1000: covered likewise.)
 //
 // Short coordinates. Let g = 2^-e, where e is the greatest exponent of the points: coordinates and differences are multiples of g, monomials of

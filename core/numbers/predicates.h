@@ -2,7 +2,7 @@
 // Exact geometric predicates over dyadic points. Each returns the sign (-1, 0, +1) of a polynomial, exactly: a
 // floating-point stage with a proved error bound decides the clear cases, integers decide the rest.
 //
-// Filters are effective for features above 2^-48 of the greatest coordinate (or of 1); smaller ones go to integers.
+// Filters are effective for features above 2^-48 of the greatest coordinate of the points involved (or of 2^-100); smaller ones go to integers.
 #pragma once
 
 #include "core/numbers/point.h"

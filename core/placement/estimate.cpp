@@ -16,7 +16,7 @@ constexpr double points_per_row_unit = 0.3;
 constexpr double points_per_facet_unit = 1.0;
 constexpr int descents = 600;
 constexpr int greatest_depth = 60;
-constexpr double tiny = 1e-15;
+constexpr double tiny = 1e-30;
 constexpr double far = 4;  // beyond everything in working coordinates
 
 using Triangle = std::array<Double3, 3>;

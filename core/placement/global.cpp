@@ -143,8 +143,8 @@ class GlobalStrategy {
     for (const auto& row : zones_.rows_view())
       for (std::size_t i = 0; row.protectors.empty() && i + 1 < row.stations.size(); ++i) {
         const Point &a = zones_.point(row.stations[i].point), &b = zones_.point(row.stations[i + 1].point);
-        const Double3 half = 0.5 * approximate_difference(b, a);
-        const bool bad = index_.visit_ball(a.approximate() + half, length(half) * (1 + 1e-12) + 1e-15, [&](int id) {
+        const Ball ball = diametral_ball(a, b);
+        const bool bad = index_.visit_ball(ball.centre, ball.radius, [&](int id) {
           const Point& p = zones_.point(id);
           return &p != &a && &p != &b && diametral_power(a, b, p) <= 0;
         });

@@ -102,8 +102,8 @@ class Refinement {
   }
 
   bool segment_encroached(const PointIndex& index, const Point& a, const Point& b) const {
-    const Double3 half = 0.5 * approximate_difference(b, a);
-    return index.visit_ball(a.approximate() + half, length(half) * (1 + 1e-12) + 1e-15, [&](int id) {
+    const Ball ball = diametral_ball(a, b);
+    return index.visit_ball(ball.centre, ball.radius, [&](int id) {
       const Point& p = zones_.point(id);
       return &p != &a && &p != &b && diametral_power(a, b, p) <= 0;
     });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/placement/lean_state.h"
+#include "core/placement/sphere.h"
 
 namespace confidel {
 
@@ -37,17 +38,9 @@ LeanState::State LeanState::test(FacetId f, const Triangle& t) {
 // All points lie in one plane: the triangle's open disk is empty, and ties do not lie beyond constraints.
 LeanState::State LeanState::test_flat(FacetId f, const Triangle& t) {
   const Point &a = point(t[0]), &b = point(t[1]), &c = point(t[2]);
-  const Double3 u = approximate_difference(b, a), w = approximate_difference(c, a), n = cross(u, w);
-  const double uu = dot(u, u), ww = dot(w, w), nn = dot(n, n), sine = nn / (uu * ww), inflation = 1e-12 + 1e-14 / sine;
-  const Double3 z = (uu / (2 * nn)) * cross(w, n) + (ww / (2 * nn)) * cross(n, u);
-  double radius = length(z) * (1 + inflation) + 1e-15;
-  Double3 centre = a.approximate() + z;
-  if (!std::isfinite(radius) || inflation > 1) {
-    centre = {0, 0, 0};
-    radius = 1e10;
-  }
+  const Ball ball = circumscribed_ball(a, b, c);
   State state = State::good;
-  index_.visit_ball(centre, radius, [&](int id) {
+  index_.visit_ball(ball.centre, ball.radius, [&](int id) {
     if (!alive_[id] || id == t[0] || id == t[1] || id == t[2]) return false;
     const int power = diametral_power(a, b, c, point(id));
     if (power > 0) return false;
@@ -68,8 +61,8 @@ LeanState::State LeanState::test_flat(FacetId f, const Triangle& t) {
 
 // No other point in or on the diametral ball.
 bool LeanState::hanging_encroached(int a, int b) const {
-  const Double3 half = 0.5 * approximate_difference(point(b), point(a));
-  return index_.visit_ball(point(a).approximate() + half, length(half) * (1 + 1e-12) + 1e-15, [&](int id) {
+  const Ball ball = diametral_ball(point(a), point(b));
+  return index_.visit_ball(ball.centre, ball.radius, [&](int id) {
     return alive_[id] && id != a && id != b && diametral_power(point(a), point(b), point(id)) <= 0;
   });
 }

@@ -11,6 +11,9 @@ namespace confidel {
 /// The smallest ball with a, b, c on its sphere, inflated by a bound on its error: for pruning only. offset: centre minus a, not inflated.
 Ball circumscribed_ball(const Point& a, const Point& b, const Point& c, Double3* offset = nullptr);
 
+/// The same for the segment ab.
+Ball diametral_ball(const Point& a, const Point& b);
+
 /// Does p encroach the smallest sphere through a, b, c (theory.md section 4)? Power < 0, or = 0 off the plane; and, so that ties do not
 /// cross constraints (L18b), = 0 in the plane strictly to the right of the constraint (first, second), if there is one.
 /// Exact. Pre: p is none of a, b, c.
