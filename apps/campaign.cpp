@@ -32,7 +32,7 @@ struct CampaignOptions {
   int processes = 2;
   double shrink_time = 60;
   int replay = 0;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 int usage(const std::string& message) {
@@ -85,7 +85,10 @@ class Runner {
     for (int i = 0; i < options_.processes; ++i) workers.emplace_back([this, i] { work(i); });
     for (std::thread& worker : workers) worker.join();
     if (!failure_.empty()) throw FileError(failure_);
-    fmt::print("{} runs, {} in blocks that were there already, {} unexpected\n", runs_.load(), skipped_.load(), unexpected_.load());
+    if (options_.json)
+      fmt::print("{}\n", Json{{"folder", options_.folder}, {"runs", runs_.load()}, {"there_already", skipped_.load()}, {"unexpected", unexpected_.load()}}.dump(2));
+    else
+      fmt::print("{} runs, {} in blocks that were there already, {} unexpected\n", runs_.load(), skipped_.load(), unexpected_.load());
     return unexpected_ == 0 ? exit_success : exit_refuted;
   }
 
@@ -130,9 +133,10 @@ class Runner {
   void report(const Json& record) {
     ++unexpected_;
     const std::lock_guard lock(mutex_);
-    fmt::print("UNEXPECTED {} seed {} {}: {}{}\n", record["family"].get<std::string>(), record["seed"].dump(), record["strategy"].get<std::string>(),
+    std::FILE* const out = options_.json ? stderr : stdout;
+    fmt::print(out, "UNEXPECTED {} seed {} {}: {}{}\n", record["family"].get<std::string>(), record["seed"].dump(), record["strategy"].get<std::string>(),
                record["verdict"].get<std::string>(), record.contains("contradiction") ? "; " + record["contradiction"].get<std::string>() : "");
-    std::fflush(stdout);
+    std::fflush(out);
   }
 
   void show_progress() {
@@ -218,7 +222,7 @@ int run_cover(const CampaignOptions& options) {
   }
   if (options.replay > 0)
     if (const std::string fault = replay(plan, records, options.replay); !fault.empty()) return refuse(fault);
-  return print_summary(plan, records);
+  return print_summary(plan, records, options.json);
 }
 
 }  // namespace
@@ -243,12 +247,20 @@ void add_campaign(CLI::App& app, Selection& selection) {
   add_conform_limits(*run, options->plan.settings);
   run->add_flag("-q,--quiet", options->quiet, "No progress");
   run->footer("Example: confidel campaign run --seeds 0..999 --strategy lean,graded --out runs\nExit codes: 0 as expected, 1 unexpected outcomes (in OUT/failures), 2 bad usage, 4 a file cannot be read or written, 130 interrupted.");
-  run->callback([options, &selection] { selection.run = [options] { return run_campaign(*options); }; });
+  add_json_option(*run, selection);
+  run->callback([options, &selection] {
+    options->json = selection.json;
+    selection.run = [options] { return run_campaign(*options); };
+  });
   CLI::App* cover = campaign->add_subcommand("cover", "Is every seed there exactly once, unchanged, from one program? Then the summary");
   cover->add_option("FOLDER", options->folder, "The campaign's folder")->required();
   cover->add_option("--replay", options->replay, "Run so many of the records again and compare")->check(CLI::NonNegativeNumber)->capture_default_str();
   cover->footer("Exit codes: 0 complete and as expected, 1 unexpected outcomes, 4 no campaign, 5 refused: missing, changed or overlapping blocks.");
-  cover->callback([options, &selection] { selection.run = [options] { return run_cover(*options); }; });
+  add_json_option(*cover, selection);
+  cover->callback([options, &selection] {
+    options->json = selection.json;
+    selection.run = [options] { return run_cover(*options); };
+  });
   add_cover_cells(*campaign, selection);
 }
 

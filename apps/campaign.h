@@ -61,7 +61,7 @@ Block read_block(const Plan& plan, std::uint64_t number, const std::string& path
 Json run_seed(const Plan& plan, std::uint64_t seed, const std::string& strategy, ConformWorkspace& workspace, const std::string& store, double shrink_time);
 
 /// The last line of a summary, and exit_success or exit_refuted (unexpected outcomes).
-int print_summary(const Plan& plan, const std::vector<Json>& records);
+int print_summary(const Plan& plan, const std::vector<Json>& records, bool json);
 
 /// `campaign cover-cells`.
 void add_cover_cells(CLI::App& campaign, Selection& selection);

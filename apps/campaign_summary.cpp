@@ -41,6 +41,13 @@ struct Group {
     const auto number = [](double value) { return value == std::numeric_limits<double>::infinity() ? std::string("-") : fmt::format("{:.3g}", value); };
     return fmt::format("{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |", runs, verified, refuted, undecided, invalid, unexpected, fell_back, quantile(0.5), quantile(0.9), quantile(1), number(smallest_angle), number(smallest_power));
   }
+  Json json() {
+    std::sort(points.begin(), points.end());
+    const auto quantile = [&](double q) { return points.empty() ? Json() : Json(points[static_cast<std::size_t>(q * static_cast<double>(points.size() - 1))]); };
+    const auto number = [](double value) { return value == std::numeric_limits<double>::infinity() ? Json() : Json(value); };
+    return {{"runs", runs}, {"verified", verified}, {"refuted", refuted}, {"undecided", undecided}, {"refused", invalid}, {"unexpected", unexpected}, {"as_graded", fell_back},
+            {"points_median", quantile(0.5)}, {"points_90_percent", quantile(0.9)}, {"points_most", quantile(1)}, {"smallest_angle", number(smallest_angle)}, {"smallest_power", number(smallest_power)}};
+  }
 };
 
 const char* const columns = "runs | verified | refuted | undecided | refused | unexpected | as graded | points: median | 90 % | most | smallest angle | smallest power |";
@@ -65,7 +72,7 @@ std::string angle_interval(const Json& record) {
 
 }  // namespace
 
-int print_summary(const Plan& plan, const std::vector<Json>& records) {
+int print_summary(const Plan& plan, const std::vector<Json>& records, bool json) {
   using Key = std::pair<std::string, std::string>;
   std::map<Key, Group> by_family, by_angle, all;
   struct Tightest {
@@ -86,6 +93,24 @@ int print_summary(const Plan& plan, const std::vector<Json>& records) {
       const double slack = value["slack"];
       if (slack < entry.slack) entry = {slack, seed_of(record), value["object"]};
     }
+  }
+  if (json) {
+    Json document{{"plan", plan.json()}, {"records", records.size()}, {"families", Json::array()}, {"angles", Json::array()}, {"lemmas", Json::array()}, {"unexpected", Json::array()}};
+    const auto add = [&](const char* name, const char* key, std::map<Key, Group>& groups) {
+      for (auto& [of, group] : groups) {
+        Json entry{{key, of.first}, {"strategy", of.second}};
+        entry.update(group.json());
+        document[name].push_back(entry);
+      }
+    };
+    by_family.merge(all);
+    add("families", "family", by_family);
+    add("angles", "angle", by_angle);
+    for (const auto& [of, entry] : tightest)
+      document["lemmas"].push_back({{"lemma", of.first}, {"strategy", of.second}, {"slack", entry.slack}, {"input", entry.where}, {"object", entry.object}});
+    for (const Json* record : unexpected) document["unexpected"].push_back(*record);
+    fmt::print("{}\n", document.dump(2));
+    return unexpected.empty() ? exit_success : exit_refuted;
   }
   fmt::print("Family `{}`, seeds {} to {}, strategies {}; at most {} points. Programs: confidel {:.12}, confidel-check {:.12}.\n", plan.family, plan.seeds.first, plan.seeds.last,
              fmt::join(plan.strategies, ", "), plan.settings.max_points, plan.producer, plan.checker);

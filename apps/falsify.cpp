@@ -31,6 +31,7 @@ struct FalsifyOptions {
   double time_limit = 60;
   std::uint64_t seed = 1;
   int processes = 2;
+  bool json = false;
 };
 
 struct Violation {
@@ -67,6 +68,12 @@ class Falsifier {
       fmt::print(stderr, "confidel: error[E-USAGE]: no report on strategy {} had a slack of {}; there are: {}\n", options_.settings.strategy, options_.lemma, seen_.empty() ? "none" : fmt::format("{}", fmt::join(seen_, ", ")));
       return exit_bad_input;
     }
+    if (options_.json) {
+      Json tightest = Json::array();
+      for (const auto& [family, best] : archive_) tightest.push_back({{"family", family}, {"objective", best}});
+      print_document({{"tightest", tightest}}, exit_undecided);
+      return exit_undecided;
+    }
     fmt::print("{} runs of conform; nothing fails. The tightest, by family (inputs are in {}):\n", evaluations_.load(), options_.folder);
     double least = INFINITY;
     for (const auto& [family, best] : archive_) {
@@ -78,6 +85,13 @@ class Falsifier {
   }
 
  private:
+  void print_document(const Json& findings, int exit) const {
+    Json document{{"lemma", options_.lemma}, {"strategy", options_.settings.strategy}, {"folder", options_.folder}, {"runs", evaluations_.load()}};
+    document.update(findings);
+    document["exit"] = exit;
+    fmt::print("{}\n", document.dump(2));
+  }
+
   void work(int worker) {
     try {
       ConformWorkspace workspace(fmt::format("{}/work-{}-{}", options_.folder, ::getpid(), worker));
@@ -148,7 +162,8 @@ class Falsifier {
 
   int report_violation() {
     const ConformRun& run = violation_->run;
-    fmt::print("after {} runs of conform: {}\n", evaluations_.load(), run.verdict);
+    const long evaluations = evaluations_;
+    if (!options_.json) fmt::print("after {} runs of conform: {}\n", evaluations, run.verdict);
     const std::string stem = fmt::format("{}/{}-{}-violation", options_.folder, options_.lemma, options_.settings.strategy);
     const std::string suffix = campaigns::suffix_for(violation_->input);
     write_output(stem + suffix, campaigns::input_text(violation_->input, run.verdict));
@@ -157,6 +172,10 @@ class Falsifier {
     const std::string path = stem + "-shrunk" + campaigns::suffix_for(small);
     write_output(path, campaigns::input_text(small, "keeps: " + violation_->behaviour));
     const ConformRun again = workspace.conform(small, options_.settings);
+    if (options_.json) {
+      print_document({{"violation", {{"verdict", run.verdict}, {"file", stem + suffix}, {"shrunk", path}, {"shrunk_verdict", again.verdict}, {"vertices", small.vertices.size()}, {"segments", small.segments.size()}, {"facets", small.facets.size()}}}}, exit_refuted);
+      return exit_refuted;
+    }
     fmt::print("{}: {} vertices, {} segments in no facet, {} facets\n{}\n", path, small.vertices.size(), small.segments.size(), small.facets.size(), again.verdict);
     return exit_refuted;
   }
@@ -187,8 +206,12 @@ void add_falsify(CLI::App& app, Selection& selection) {
   command->add_option("--seed", options->seed, "Where the search begins")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("--out", options->folder, "Where the tightest input of each family, and a violation, are put")->capture_default_str();
   command->add_option("-j,--processes", options->processes, "How many runs of conform at a time")->check(CLI::Range(1, 64))->capture_default_str();
+  add_json_option(*command, selection);
   command->footer("Examples:\n  confidel falsify power --strategy graded --time-limit 60s\n\nExit codes: 1 a violation was found, 2 bad usage, 3 none in the time given.");
-  command->callback([options, &selection] { selection.run = [options] { return Falsifier(*options).run(); }; });
+  command->callback([options, &selection] {
+    options->json = selection.json;
+    selection.run = [options] { return Falsifier(*options).run(); };
+  });
 }
 
 }  // namespace confidel

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "apps/command.h"
 #include "campaigns/families.h"
@@ -15,17 +16,26 @@ namespace {
 struct GenerateOptions {
   std::string family, output;
   std::uint64_t seed = 0;
-  bool list = false;
+  bool list = false, json = false;
 };
 
-int list_families() {
+using Json = nlohmann::ordered_json;
+
+int list_families(bool json) {
+  Json list = Json::array();
+  for (const campaigns::Family& family : campaigns::families())
+    list.push_back({{"family", family.name}, {"dimension", family.dimension}, {"about", family.about}, {"valid", family.valid}});
+  if (json) {
+    fmt::print("{}\n", Json{{"families", list}}.dump(2));
+    return exit_success;
+  }
   for (const campaigns::Family& family : campaigns::families())
     fmt::print("{:<20} {}D  {}{}\n", family.name, family.dimension, family.about, family.valid ? "" : " (invalid inputs)");
   return exit_success;
 }
 
 int run_generate(const GenerateOptions& options) {
-  if (options.list) return list_families();
+  if (options.list) return list_families(options.json);
   if (options.family != "all" && campaigns::find_family(options.family) == nullptr) {
     fmt::print(stderr, "confidel: error[E-USAGE]: {}no family is called `{}`; `confidel generate --list` names them\n",
                options.family.empty() ? "name a family: " : "", options.family);
@@ -44,7 +54,13 @@ int run_generate(const GenerateOptions& options) {
     fmt::print(stderr, "confidel: error[E-USAGE]: {}: this input is written as {}: give it that suffix, or none\n", options.output, suffix);
     return exit_bad_input;
   }
+  if (options.json && path.empty()) {
+    fmt::print(stderr, "confidel: error[E-USAGE]: --json needs -o: standard output holds one thing only\n");
+    return exit_bad_input;
+  }
   write_output(path, text);
+  if (options.json)
+    fmt::print("{}\n", Json{{"family", family.name}, {"seed", options.seed}, {"output", path}, {"dimension", input.dimension}, {"vertices", input.vertices.size()}, {"segments", input.segments.size()}, {"facets", input.facets.size()}}.dump(2));
   return exit_success;
 }
 
@@ -57,8 +73,12 @@ void add_generate(CLI::App& app, Selection& selection) {
   command->add_option("--seed", options->seed, "A number below 2^64")->check(CLI::NonNegativeNumber)->capture_default_str();
   command->add_option("-o,--output", options->output, "The file: .smesh, .poly or .obj, as the input needs; without a suffix it gets the right one; default: standard output");
   command->add_flag("--list", options->list, "The families");
+  add_json_option(*command, selection);
   command->footer("Examples:\n  confidel generate wedge --seed 7 -o wedge.smesh");
-  command->callback([options, &selection] { selection.run = [options] { return run_generate(*options); }; });
+  command->callback([options, &selection] {
+    options->json = selection.json;
+    selection.run = [options] { return run_generate(*options); };
+  });
 }
 
 }  // namespace confidel

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "apps/command.h"
 #include "apps/meter.h"
@@ -45,6 +46,7 @@ namespace {
 struct ShrinkOptions {
   std::string file, output;
   ShrinkRequest request;
+  bool json = false;
 };
 
 int run_shrink(const ShrinkOptions& options) {
@@ -67,6 +69,13 @@ int run_shrink(const ShrinkOptions& options) {
   std::string path = options.output;
   if (path.size() < suffix.size() || path.compare(path.size() - suffix.size(), suffix.size(), suffix) != 0) path += suffix;
   write_output(path, campaigns::input_text(small, "keeps: " + options.request.behaviour));
+  if (options.json) {
+    const auto counts = [](const std::string& name, const Input& what) {
+      return nlohmann::ordered_json{{"file", name}, {"vertices", what.vertices.size()}, {"segments", what.segments.size()}, {"facets", what.facets.size()}};
+    };
+    fmt::print("{}\n", nlohmann::ordered_json{{"keeps", options.request.behaviour}, {"original", counts(options.file, input)}, {"shrunk", counts(path, small)}}.dump(2));
+    return exit_success;
+  }
   fmt::print("{}: {} vertices, {} segments, {} facets\n{}: {} vertices, {} segments, {} facets\n", options.file, input.vertices.size(), input.segments.size(),
              input.facets.size(), path, small.vertices.size(), small.segments.size(), small.facets.size());
   return exit_success;
@@ -85,8 +94,12 @@ void add_shrink(CLI::App& app, Selection& selection) {
   command->add_option("--shrink-time", options->request.time_limit, "For all of it, such as 5m; the best so far is written then; 0: no limit")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE))
       ->capture_default_str();
+  add_json_option(*command, selection);
   command->footer("Examples:\n  confidel shrink bad.smesh --keep undecided:max-points --max-points 1000 -o small");
-  command->callback([options, &selection] { selection.run = [options] { return run_shrink(*options); }; });
+  command->callback([options, &selection] {
+    options->json = selection.json;
+    selection.run = [options] { return run_shrink(*options); };
+  });
 }
 
 }  // namespace confidel

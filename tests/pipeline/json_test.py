@@ -9,8 +9,8 @@ import tempfile
 
 from harness import EXAMPLES, ROOT, Programs
 
-# Keys that are data: kinds of points and cells, and what confidel-check writes (its own page).
-DATA = {"points_by_kind", "cells_by_kind", "checker"}
+# Keys that are data: kinds of points and cells, and what confidel-check and campaign.json hold (their own pages).
+DATA = {"points_by_kind", "cells_by_kind", "checker", "plan"}
 
 
 def sections():
@@ -53,7 +53,13 @@ def main():
                 ("convert", 0, ("convert", example("crossing.poly"), out("c.poly"), "--split-crossings")),
                 ("draw", 0, ("draw", cert, "-o", out("picture.html"))),
                 ("report", 0, ("report", example("campaign"), "-o", out("report.html"))),
-                ("explain", 0, ("explain",)), ("explain", 0, ("explain", "L1")))
+                ("generate", 0, ("generate", "--list")), ("generate", 0, ("generate", "wedge", "--seed", "7", "-o", out("wedge"))),
+                ("campaign", 0, ("campaign", "run", "--seeds", "0..3", "--strategy", "lean,graded", "--out", out("runs"))),
+                ("campaign", 0, ("campaign", "cover", out("runs"))),
+                ("shrink", 0, ("shrink", example("cube.off"), "--keep", "verified", "-o", out("small"))),
+                ("falsify", 3, ("falsify", "power", "--strategy", "lean", "--time-limit", "2s", "--out", out("tight"))),
+                ("falsify", 1, ("falsify", "L10", "--strategy", "paper", "--time-limit", "60s", "--out", out("found"))),
+                ("paper", 0, ("paper",)), ("explain", 0, ("explain",)), ("explain", 0, ("explain", "L1")))
         with open(out("moved.node"), "w") as file:
             file.write("5 3 0 0\n0 0 0 0\n1 10 0 0\n2 0 10 0\n3 0 0 10\n4 5 5 0.000000001\n")
         with open(out("moved.ele"), "w") as file:
