@@ -40,6 +40,12 @@ function fillColours() {
   gl.bindBuffer(gl.ARRAY_BUFFER, gpu.colours);
   gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.DYNAMIC_DRAW);
 }
+// In the order of the slider, so that the first ones can be drawn alone.
+function fillPlaces() {
+  order.forEach((cell, i) => { for (let k = 0; k < 3; ++k) { const p = corners[3 * cell + k]; gpu.positions.set(place.subarray(3 * p, 3 * p + 3), 9 * i + 3 * k); } });
+  gl.bindBuffer(gl.ARRAY_BUFFER, gpu.places);
+  gl.bufferData(gl.ARRAY_BUFFER, gpu.positions, gl.DYNAMIC_DRAW);
+}
 function pointColour(p) { return [...rgb(pointColours[pointKinds[pointKind[p]]][dark.matches ? 1 : 0]), 255]; }
 function fillPoints() {
   freeArrays(gpu.vertices);
@@ -50,11 +56,10 @@ function fillPoints() {
 }
 const ballOf = (centre, radius) => [...centre.map((v, k) => (v - middle[k]) / size), radius / size];
 function prepare() {
-  const positions = new Float32Array(9 * cellCount);
-  order.forEach((cell, i) => { for (let k = 0; k < 3; ++k) { const p = corners[3 * cell + k]; positions.set(place.subarray(3 * p, 3 * p + 3), 9 * i + 3 * k); } });
-  gpu = { programs: makePrograms(), positions, colours: gl.createBuffer() };
+  gpu = { programs: makePrograms(), positions: new Float32Array(9 * cellCount), places: gl.createBuffer(), colours: gl.createBuffer() };
+  fillPlaces();
   fillColours();
-  gpu.cells = arrays([[0, buffer(positions), 3], [1, gpu.colours, 4, gl.UNSIGNED_BYTE, true]]);
+  gpu.cells = arrays([[0, gpu.places, 3], [1, gpu.colours, 4, gl.UNSIGNED_BYTE, true]]);
   for (const name in lineSets) gpu[name] = lineArrays(lineSets[name]);
   gpu.balls = ballArrays(Array.from(ballVertex).flatMap((v, i) => ballOf(at(v), ballRadius[i])));
   gpu.violations = ballArrays(data.violated.slice(0, 500).flatMap((cell) => { const s = sphereOf(cell); return ballOf(s.centre, s.radius); }));

@@ -21,12 +21,18 @@ const pointKinds = ["vertex", "projection", "edge", "offset", "arc", "interior"]
 const violated = new Set(data.violated);
 
 // The cells by slack: violated ones first, those that nothing can come near last.
-const order = Int32Array.from({ length: cellCount }, (_, i) => i);
+const bySlack = Int32Array.from({ length: cellCount }, (_, i) => i);
 const key = (i) => (violated.has(i) ? -1e300 + i : Number.isNaN(slack[i]) ? Infinity : slack[i]);
-const keys = Float64Array.from(order, (i) => key(i));
-order.sort((a, b) => (keys[a] < keys[b] ? -1 : keys[a] > keys[b] ? 1 : a - b));
-const rank = new Int32Array(cellCount);
-order.forEach((cell, i) => { rank[cell] = i; });
+const keys = Float64Array.from(bySlack, (i) => key(i));
+bySlack.sort((a, b) => (keys[a] < keys[b] ? -1 : keys[a] > keys[b] ? 1 : a - b));
+// The order of drawing, of the slider and of n and p: by slack, or by a lemma's; then those that it does not speak of come last.
+const order = new Int32Array(cellCount), rank = new Int32Array(cellCount);
+function orderBy(lemma) {
+  order.set(lemma ? lemma.cells : bySlack);
+  if (lemma) order.set(bySlack.filter((cell) => !lemma.places.has(cell)), lemma.cells.length);
+  order.forEach((cell, i) => { rank[cell] = i; });
+}
+orderBy(undefined);
 
 // Positions for drawing: the whole within the unit ball about the origin.
 const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];

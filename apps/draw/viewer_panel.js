@@ -20,7 +20,7 @@ function pick(cell) {
     gpu.pickedLines = rawLines(ends);
     gpu.pickedPoints = pointArrays(near.map(([p]) => p), (p) => [...rgb(p === nearest[cell] ? (dark.matches ? "#ff9a55" : "#d55e00") : dark.matches ? "#f2a0cc" : "#a03a78"), 255]);
     panel.append(element("h2", `cell ${cell}`));
-    const lines = [`line ${cellLine[cell]} of the certificate, facet ${cellFacet[cell]}, kind ${cellKinds[cellKind[cell]]}, number ${rank[cell] + 1} by slack`, `corners ${own.map(pointName).join(", ")}`, `radius of its sphere ${number(radius, 9)}`];
+    const lines = [`line ${cellLine[cell]} of the certificate, facet ${cellFacet[cell]}, kind ${cellKinds[cellKind[cell]]}, number ${rank[cell] + 1} by slack${lemmas.has(state.colour) ? ` of ${state.colour}` : ""}`, `corners ${own.map(pointName).join(", ")}`, `radius of its sphere ${number(radius, 9)}`];
     if (nearest[cell] >= 0) lines.push(`relative power of the nearest point${data.dimension === 3 ? " off its plane" : ""}: ${number(slack[cell], 12)}, point ${pointName(nearest[cell])}`);
     for (const [id, { values }] of lemmas) if (!Number.isNaN(values[cell])) lines.push(`slack of ${id}: ${number(values[cell], 6)}`);
     for (const text of lines) panel.append(element("p", text));
@@ -57,6 +57,15 @@ function setTightest(count) {
   const value = state.tightest === cellCount ? 1000 : Math.min(999, Math.round((1000 * Math.log(state.tightest + 1)) / Math.log(cellCount + 1)));
   if (countOf(Number($("tightest").value)) !== state.tightest) $("tightest").value = value;
   $("shown").textContent = String(state.tightest);
+  render();
+}
+// Colouring by a lemma also makes its slack the slider's.
+function setColour(name) {
+  state.colour = name;
+  orderBy(lemmas.get(name));
+  if (gpu) { fillPlaces(); fillColours(); }
+  $("by").textContent = lemmas.has(name) ? ` (slack of ${name})` : "";
+  legend();
   render();
 }
 function legend() {
@@ -113,7 +122,7 @@ function panel() {
   }
   for (const id of lemmas.keys()) $("colour").append(element("option", `slack of ${id}`, { value: id }));
   $("tightest").addEventListener("input", () => setTightest(countOf(Number($("tightest").value))));
-  $("colour").addEventListener("change", () => { state.colour = $("colour").value; fillColours(); legend(); render(); });
+  $("colour").addEventListener("change", () => { setColour($("colour").value); });
   $("axis").addEventListener("change", () => { state.axis = $("axis").value; $("cut-label").hidden = !state.axis; render(); });
   $("cut").addEventListener("input", () => { state.cut = Number($("cut").value); render(); });
   $("flip").addEventListener("change", () => { state.flip = $("flip").checked; render(); });
@@ -173,4 +182,4 @@ if (!gl) {
   draw();
 }
 // For scripts: the state, and a picture that can be read in the same task.
-window.confidel = { state, camera, pick, goTo, setTightest, cellAt, cellCount, order: Array.from(order.subarray(0, 1000)), pixels() { draw(); const bytes = new Uint8Array(4 * canvas.width * canvas.height); gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes); return bytes; } };
+window.confidel = { state, camera, pick, goTo, setTightest, cellAt, cellCount, get order() { return Array.from(order.subarray(0, 1000)); }, pixels() { draw(); const bytes = new Uint8Array(4 * canvas.width * canvas.height); gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes); return bytes; } };

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """viewer_test.py BINARIES: the HTML pictures in a real headless Chromium. Skipped where there is none."""
+import json
 import os
 import sys
 import tempfile
@@ -83,6 +84,23 @@ def look_at(page, programs, path, dark):
     page.requests.clear()
 
 
+def by_lemma(page, programs, certificate, lemma):
+    """Colouring by a lemma makes its slack the order of the slider and of the keys."""
+    before = page.run("confidel.order[0]")
+    page.run(SET % ("colour", lemma, "change"))
+    page.run("confidel.pick(-1); document.getElementById('view').focus()")
+    page.key("n")
+    text = page.run("document.getElementById('picked').innerText")
+    place = json.loads(programs.run("lemma", "check", lemma, certificate, "--json")[1])["lemmas"][0]
+    programs.expect("line %d of the certificate" % place["line"] in text and "number 1 by slack of " + lemma in text, "%s: n chooses %r, not line %d" % (lemma, text[:120], place["line"]))
+    page.run("confidel.setTightest(1)")
+    spot = page.run("""(() => { const c = document.getElementById('view'), seen = new Set(); for (let y = 0; y < c.clientHeight; y += 3) for (let x = 0; x < c.clientWidth; x += 3)
+      seen.add(confidel.cellAt(x, y)); seen.delete(-1); return [...seen]; })()""")
+    programs.expect(spot in ([], [page.run("confidel.order[0]")]), "%s: the slider at one shows %s" % (lemma, spot))
+    page.run(SET % ("colour", "kind", "change"))
+    programs.expect(page.run("confidel.order[0]") == before, lemma + ": another colour gives the order back")
+
+
 def contrast(page):
     """The smallest ratio of luminances of text and ground in the panel (WCAG)."""
     return page.run("""(() => { const lum = (c) => { const v = c.match(/[\\d.]+/g).slice(0, 3).map((x) => { x /= 255; return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4; });
@@ -104,6 +122,8 @@ def main():
             look_at(page, programs, picture, dark)
             ratio = contrast(page)
             programs.expect(ratio >= 4.5, "contrast of text is only %.2f%s" % (ratio, " in dark" if dark else ""))
+        for lemma in ("L5", "L7"):
+            by_lemma(page, programs, certificate, lemma)
         programs.expect("s VERIFIED" in page.run("document.getElementById('verdict').textContent"), "the verdict is shown")
         programs.expect(page.run("document.querySelectorAll('#table tr').length") > 10, "the rules are listed")
         for name in sorted(os.listdir(ACCEPT))[::3]:  # odd ones: coplanar, hanging only, with offsets and the like
