@@ -2,13 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """global_test.py BINARIES: the global strategies from file to verdict. `repaired` is VERIFIED with all its claims, or refused with an
 estimate; the paper's parameters stay refuted on the counterexamples, with the refutations expected."""
-import math
 import os
 import re
 import sys
 import tempfile
 
-import inputs
 from harness import EXAMPLES, Programs, content, last_line
 
 ALL_CLAIMS = ("H-angle H-ball H-offset H-chord L1 L2 L3 L4 L5 L6 L7 L8 L9 L10 L11 L12 L13 L14 L15 L16 L17 L18 L18b L19 L21 L22 L23").split()
@@ -31,23 +29,14 @@ def claims_of(path):
     return claims, [line.split(" ")[1] for line in lines if line.startswith("refutes ")]
 
 
-def repaired_inputs(folder):
-    made = {
-        "wedge30.off": inputs.wedge(30, 0.3),
-        "vertex20.off": inputs.off([(0, 0, 0), (1, 0, 0), (math.cos(math.radians(20)), math.sin(math.radians(20)), 0)], [(0, 1, 2)]),
-    }
-    for name, text in made.items():
-        with open(os.path.join(folder, name), "w") as file:
-            file.write(text)
-    # Points of theory.md's prototype; None: it has no figure.
-    table = {"cube.off": 1496, "cube-triangles.off": 1496, "tetrahedron.off": 956, "fan.off": 1260, "fan-skew.off": 1664}
-    result = [(name, os.path.join(EXAMPLES, name), points) for name, points in table.items()]
-    return result + [("wedge30.off", os.path.join(folder, "wedge30.off"), 18842), ("vertex20.off", os.path.join(folder, "vertex20.off"), None)]
+# Points of theory.md's prototype; None: it has no figure.
+REPAIRED = {"cube.off": 1496, "cube-triangles.off": 1496, "tetrahedron.off": 956, "fan.off": 1260, "fan-skew.off": 1664, "wedge-30.off": 18842, "triangle-20.off": None}
 
 
 def check_repaired(programs, folder):
     out, again = os.path.join(folder, "repaired.cert"), os.path.join(folder, "again.cert")
-    for name, path, expected in repaired_inputs(folder):
+    for name, expected in REPAIRED.items():
+        path = os.path.join(EXAMPLES, name)
         report = programs.expect_verified("repaired " + name, path, out, "--strategy", "repaired", "--threads", 1)
         if report is None:
             continue

@@ -17,6 +17,8 @@ EXAMPLES = {
     "tetrahedron.off": 40,
     "fan.off": 59,
     "fan-skew.off": 59,
+    "wedge-30.off": None,
+    "triangle-20.off": None,
     "hanging-edge.obj": None,
     "facet-parts.poly": None,
     "corner-45.poly": None,
