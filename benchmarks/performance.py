@@ -123,6 +123,81 @@ def planar(binaries, files):
             yield "* median ratio, %s: %.3g (%d inputs)" % (name, (values[(len(values) - 1) // 2] + values[len(values) // 2]) / 2, len(values))
 
 
+def conform(binaries, source, folder, *options):
+    done = run([os.path.join(binaries, "confidel"), "conform", source, "-o", os.path.join(folder, "x.cert"), "--json", *options], 1800)
+    return None if done is None else json.loads(done.stdout)
+
+
+def large(binaries, folder, angles):
+    """Whole runs on all processors: what limits size."""
+    yield "| angle | points | cells | placing s | writing s | checking s | all s | peak memory, bytes per point | certificate, bytes per point | verdict |"
+    yield "|" + "---|" * 10
+    source = os.path.join(folder, "wedge.off")
+    for degrees in angles:
+        skew_wedge(source, degrees)
+        report = conform(binaries, source, folder, "--strategy", "graded", "--max-points", "4000000")
+        if report is None or "cells" not in report:
+            yield "| %g | refused: about %.3g points expected |" % (degrees, report["estimated_points"] if report else math.nan) + " |" * 7 + " %s |" % (report["verdict"] if report else "-")
+            continue
+        points, seconds = report["vertices"] + report["steiner_points"], report["seconds"]
+        yield "| %g | %d | %d | %.1f | %.1f | %.1f | %.1f | %.0f | %.0f | %s |" % (
+            degrees, points, report["cells"], seconds["placement"], seconds["write"], seconds["check"], seconds["total"], report["peak_memory_bytes"] / points,
+            report["certificate"]["text_bytes"] / points, report["verdict"])
+
+
+def wedge(size, corner, degrees):
+    a = math.radians(degrees)
+    return [tuple(size * x + o for x, o in zip(p, corner)) for p in ((0, 0, 0), (1, 0, 0), (0.4, 1, 0), (0.6, math.cos(a), math.sin(a)))]
+
+
+SCALES = {
+    "two wedges of size 1": [wedge(1, (0, 0, 0), 2), wedge(1, (5, 0, 1), 2)],
+    "the same, 1e9 apart": [wedge(1, (0, 0, 0), 2), wedge(1, (1e9, 0, 1e8), 2)],
+    "one of 1e-9 beside one of 1e9": [wedge(1e-9, (0, 0, 0), 2), wedge(1e9, (1e9, 0, 1e8), 2)],
+    "300 m in UTM coordinates, at the origin": [wedge(300, (0, 0, 0), 1)],
+    "300 m in UTM coordinates": [wedge(300, (2.4e6, 5.1e6, 100.123456789), 1)],
+    "0.1 degrees": [wedge(1, (0, 0, 0), 0.1)],
+    "0.001 degrees": [wedge(1, (0, 0, 0), 0.001)],
+}
+
+
+def scales(binaries, folder, names):
+    yield "| input | strategy | points | placing s | checking s | verdict |"
+    yield "|" + "---|" * 6
+    source = os.path.join(folder, "scales.off")
+    for name in names:
+        wedges = SCALES[name]
+        with open(source, "w") as file:
+            file.write("OFF\n%d %d 0\n" % (4 * len(wedges), 2 * len(wedges)) + "".join("%r %r %r\n" % p for w in wedges for p in w))
+            file.write("".join("3 %d %d %d\n3 %d %d %d\n" % (4 * i, 4 * i + 1, 4 * i + 2, 4 * i, 4 * i + 1, 4 * i + 3) for i in range(len(wedges))))
+        for strategy in ("lean", "graded"):
+            report = conform(binaries, source, folder, "--strategy", strategy, "--max-points", "2000000")
+            if report is None:
+                continue
+            points = report["vertices"] + report["steiner_points"] if "steiner_points" in report else "about %.3g expected" % report["estimated_points"]
+            yield "| %s | %s | %s | %.2f | %s | %s |" % (name, strategy, points, report["seconds"]["placement"], "%.2f" % report["seconds"]["check"] if "steiner_points" in report else "-", report["verdict"])
+
+
+def predicates(binaries):
+    """benchmarks/predicates.cpp, as a table: nanoseconds."""
+    done = run([os.path.join(binaries, "predicate-times"), "--benchmark_format=json", "--benchmark_min_time=0.2"], 600)
+    if done is None or done.returncode != 0:
+        yield "(Google Benchmark is not installed: libbenchmark-dev)"
+        return
+    times, kinds = {}, []
+    for entry in json.loads(done.stdout)["benchmarks"]:
+        predicate, kind, whose = entry["name"].split("/")
+        times[predicate, kind, whose] = entry["cpu_time"]
+        if (predicate, kind) not in kinds:
+            kinds.append((predicate, kind))
+    yield "| predicate | points | Confidel | CGAL, doubles | CGAL, exact | Confidel : CGAL, exact |"
+    yield "|" + "---|" * 6
+    for predicate, kind in sorted(kinds):
+        own, doubles, exact = (times.get((predicate, kind, whose)) for whose in ("confidel", "CGAL, doubles", "CGAL, exact"))
+        number = lambda t: "-" if t is None else "%.0f" % t
+        yield "| %s | %s | %s | %s | %s | %s |" % (predicate, kind, number(own), number(doubles), number(exact), "-" if exact is None else "%.2f" % (own / exact))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--binaries", default=os.path.join(ROOT, "build", "release", "bin"))
@@ -152,6 +227,20 @@ def main():
              "Inputs: %s. Steiner points (seconds of placing). CGAL's `make_conforming_Delaunay_2` and `make_conforming_Gabriel_2` over its exact kernel and over doubles; only with the exact kernel do they conform on all inputs. "
              "Lean splits a segment only where no empty disk supports it; graded protects everything, also edges that need nothing." % source, ""]
     for line in planar(arguments.binaries, files):
+        text.append(line)
+        print(line, flush=True)
+    sections = [("Large inputs", "Graded on the same wedge, whole runs on all processors. Beyond `--max-points` the answer is UNDECIDED with an estimate.", large, ((0.5,) if arguments.quick else (0.5, 0.25, 0.1, 0.075, 0.01),)),
+                ("Small angles, and scales", "Wedges again. A detail below 2^-53 of the whole extent is checked in time quadratic in its points (the checker's grid has no more bits); placing is not affected.",
+                 scales, ([name for name in SCALES if not arguments.quick or name != "0.1 degrees"],))]
+    with tempfile.TemporaryDirectory() as folder:
+        for title, about, table, more in sections:
+            text += ["", "## " + title, "", about, ""]
+            for line in table(arguments.binaries, folder, *more):
+                text.append(line)
+                print(line, flush=True)
+    text += ["", "## Predicates", "", "Nanoseconds of one call (`predicate-times`, Google Benchmark). Clear: random points, which the filter decides. Tie: corners of boxes with short coordinates. "
+             "CGAL's are those of its two standard kernels on the same points.", ""]
+    for line in predicates(arguments.binaries):
         text.append(line)
         print(line, flush=True)
     temporary = arguments.output + ".tmp"
