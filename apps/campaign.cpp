@@ -241,6 +241,9 @@ void add_campaign(CLI::App& app, Selection& selection) {
   run->add_option("-j,--processes", options->processes, "How many runs at a time")->check(CLI::Range(1, 64))->capture_default_str();
   run->add_option("--block", options->plan.block, "Seeds per file of results: what an interruption loses")->check(CLI::Range(1, 100000))->capture_default_str();
   run->add_flag("--metamorphic", options->plan.metamorphic, "Each input also permuted, with other axes, rotated, scaled and twice: the verdict must stay");
+  run->add_option("--oracle", options->plan.oracle, "Certificates with up to so many points are also judged by the producer's own exact evaluation of their claims, L18, L18b, L19 and L22, which shares nothing with the checker; 0: none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   run->add_option("--shrink-time", options->shrink_time, "For shrinking an unexpected outcome's input, such as 60s; 0: none")
       ->transform(CLI::AsNumberWithUnit(std::map<std::string, double>{{"s", 1}, {"m", 60}, {"h", 3600}}, CLI::AsNumberWithUnit::CASE_INSENSITIVE))
       ->capture_default_str();

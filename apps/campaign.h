@@ -29,6 +29,7 @@ struct Plan {
   std::uint64_t block = 20;  ///< seeds per block
   std::vector<std::string> strategies{"lean"};
   bool metamorphic = false;
+  long oracle = 0;  ///< certificates with up to so many points are also judged by the producer's own evaluation of the statements
   ConformSettings settings;
   /// SHA-256 of the programs confidel and confidel-check.
   std::string producer, checker;

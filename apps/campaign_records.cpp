@@ -37,7 +37,7 @@ std::string program_digest(const std::string& path) {
 
 Json Plan::json() const {
   return {{"campaign", 1}, {"family", family}, {"seeds", {seeds.first, seeds.last}}, {"block", block}, {"strategies", strategies},
-          {"metamorphic", metamorphic}, {"max_points", settings.max_points}, {"time_limit", settings.time_limit},
+          {"metamorphic", metamorphic}, {"oracle", oracle}, {"max_points", settings.max_points}, {"time_limit", settings.time_limit},
           {"memory_limit", settings.memory_limit}, {"confidel", producer}, {"confidel_check", checker}};
 }
 
@@ -48,6 +48,7 @@ Plan Plan::from_json(const Json& document) {
   plan.block = document.at("block");
   plan.strategies = document.at("strategies").get<std::vector<std::string>>();
   plan.metamorphic = document.at("metamorphic");
+  plan.oracle = document.value("oracle", 0L);  // older campaigns had none
   plan.settings.max_points = document.at("max_points");
   plan.settings.time_limit = document.at("time_limit");
   plan.settings.memory_limit = document.at("memory_limit");

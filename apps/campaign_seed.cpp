@@ -12,6 +12,8 @@
 #include "campaigns/families.h"
 #include "campaigns/instance.h"
 #include "campaigns/mutators.h"
+#include "proofs/certificate/reader.h"
+#include "proofs/lemmas/certificate_instance.h"
 
 namespace confidel {
 
@@ -19,8 +21,10 @@ namespace {
 
 using campaigns::Family;
 
-/// An answer that says nothing about the input but its size.
-bool is_size_limit(const ConformRun& run) { return run.outcome == Outcome::undecided && run.verdict.rfind("s UNDECIDED max-points", 0) == 0; }
+/// An answer that says nothing about the input but its size, or the range of its distances.
+bool is_size_limit(const ConformRun& run) {
+  return run.outcome == Outcome::undecided && (run.verdict.rfind("s UNDECIDED max-points", 0) == 0 || run.verdict.rfind("s UNDECIDED range", 0) == 0);
+}
 
 bool is_expected(const ConformRun& run, const Family& family, const std::string& strategy) {
   if (!family.valid) return run.outcome == Outcome::invalid;
@@ -114,6 +118,11 @@ Json run_seed(const Plan& plan, std::uint64_t seed, const std::string& strategy,
     std::string fault;
     record["variants"] = compare_variants(input, seed, run, settings, workspace, fault);
     if (!fault.empty()) record["contradiction"] = fault, expected = false;
+  }
+  if (plan.oracle > 0 && run.outcome == Outcome::verified) {
+    const Certificate read = parse_certificate("certificate", certificate);
+    const std::string fault = static_cast<long>(read.points.size()) <= plan.oracle ? objection_to(instance_of(read)) : "";
+    if (!fault.empty()) record["contradiction"] = "the oracle finds that " + fault, expected = false;
   }
   record["expected"] = expected;
   if (!expected && !store.empty()) store_failure(store, record, text, suffix, certificate, settings, input, run, record.contains("contradiction") ? 0 : shrink_time, workspace);

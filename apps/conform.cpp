@@ -264,6 +264,9 @@ int run_conform(const ConformOptions& options) {
   } catch (const StrategyFailed& failure) {
     fmt::print(stderr, "confidel: {}\n", failure.what());
     return undecided(run, "strategy-failed", 0);
+  } catch (const std::range_error& range) {
+    fmt::print(stderr, "confidel: {}\n", range.what());
+    return undecided(run, "range", 0);
   }
   // Lean's own are what `conforms` consists of: its certificates stay within what every checker knows.
   if (!placement.refutation && (options.claims == "conforms" || (options.claims.empty() && options.strategy == "lean"))) {

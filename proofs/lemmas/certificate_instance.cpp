@@ -249,4 +249,12 @@ CertificateInstance instance_of(const Certificate& certificate) {
   return result;
 }
 
+std::string objection_to(const CertificateInstance& given) {
+  std::vector<std::string> statements{"L18", "L18b", "L19", "L22"};
+  for (const ClaimedLemma& claim : given.claims) statements.push_back(claim.id);
+  for (const std::string& id : statements)
+    if (const LemmaResult result = evaluate(find_lemma(id), given.instance); result.failure) return fmt::format("{} fails at {}", id, result.failure->object);
+  return "";
+}
+
 }  // namespace confidel

@@ -23,4 +23,8 @@ struct CertificateInstance {
 /// boundary edges that are no segments, points that coincide): such certificates are for confidel-check to reject.
 CertificateInstance instance_of(const Certificate& certificate);
 
+/// The first claimed statement that does not hold, or of what conforming consists of: L18 (no point in or on a cell's sphere, off the plane), L18b (ties),
+/// L19 (the cells tile the facets), L22 (segments in no facet). "L18 fails at cell-3-point-7", or "". Exact; all points against all cells.
+std::string objection_to(const CertificateInstance& given);
+
 }  // namespace confidel

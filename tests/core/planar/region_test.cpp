@@ -256,7 +256,7 @@ class SizeBound : public RegionEnvironment {
     const Rational3 p = rational(a), u = minus(rational(b), p), w = minus(rational(c), p), n = times(u, w);
     return plus(p, scaled(1 / (2 * squared(n)), plus(scaled(squared(u), times(w, n)), scaled(squared(w), times(n, u)))));
   }
-  bool encroached(const Point& a, const Point& b, const Point& c, bool only_new) override {
+  bool encroached(const Point& a, const Point& b, const Point& c, bool only_new, Ball&) override {
     return !only_new && squared(minus(centre(a, b, c), rational(a))) > square_;
   }
   Point circumcentre(const Point& a, const Point& b, const Point& c) override {
@@ -317,8 +317,10 @@ BOOST_AUTO_TEST_CASE(refinement) {
       if (split.empty() && result.inserted == 0) break;
     }
     domain.check();
-    for (const auto& [a, b, c] : domain.region.triangles())
-      BOOST_TEST(!environment.encroached(domain.storage[a], domain.storage[b], domain.storage[c], false));
+    for (const auto& [a, b, c] : domain.region.triangles()) {
+      Ball ball;
+      BOOST_TEST(!environment.encroached(domain.storage[a], domain.storage[b], domain.storage[c], false, ball));
+    }
     BOOST_TEST(domain.points.size() > 20);
   }
 }
@@ -338,6 +340,43 @@ BOOST_AUTO_TEST_CASE(refinement_stops_when_told) {
   // It can be taken up again.
   SizeBound patient(domain.embedding, 400);
   BOOST_TEST(!domain.region.refine(patient).open);
+}
+
+// A triangle that is free is asked about again only if its ball is not known, or something new is near it.
+BOOST_AUTO_TEST_CASE(free_triangles_are_asked_about_their_ball_only) {
+  class Counting : public SizeBound {
+   public:
+    using SizeBound::SizeBound;
+    bool encroached(const Point& a, const Point& b, const Point& c, bool only_new, Ball& ball) override {
+      ++asked;
+      if (known) ball = {a.approximate(), 1};
+      return SizeBound::encroached(a, b, c, only_new, ball);
+    }
+    bool near_new_point(const Ball& ball) override {
+      ++looked;
+      BOOST_TEST(ball.radius == 1);
+      return something_new;
+    }
+    bool known = false, something_new = false;
+    int asked = 0, looked = 0;
+  };
+  Domain domain(embeddings[0]);
+  domain.loop({{0, 0}, {64, 0}, {64, 64}, {0, 64}});
+  domain.add({31, 30});
+  domain.finish();
+  const int triangles = static_cast<int>(domain.region.triangles().size());
+  Counting environment(domain.embedding, 1000000);
+  const auto counts = [&] {
+    environment.asked = environment.looked = 0;
+    BOOST_TEST(domain.region.refine(environment).inserted == 0);
+    return std::pair(environment.asked, environment.looked);
+  };
+  BOOST_TEST((counts() == std::pair(triangles, 0)));
+  environment.known = true;
+  BOOST_TEST((counts() == std::pair(triangles, 0)));
+  BOOST_TEST((counts() == std::pair(0, triangles)));
+  environment.something_new = true;
+  BOOST_TEST((counts() == std::pair(triangles, triangles)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

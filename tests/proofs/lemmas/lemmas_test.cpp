@@ -95,6 +95,24 @@ BOOST_AUTO_TEST_CASE(statements_notice) {
   BOOST_CHECK_THROW(find_lemma("L99"), std::out_of_range);
 }
 
+// The campaign's oracle has nothing against what the checker accepts, and finds what makes others wrong.
+BOOST_AUTO_TEST_CASE(objections_to_certificates) {
+  const std::filesystem::path folder = CONFIDEL_CERTIFICATES;
+  int accepted = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "accept")) {
+    if (entry.path().extension() != ".cert") continue;
+    BOOST_TEST(objection_to(instance_of(read_certificate(entry.path().string()))) == "", entry.path().filename());
+    ++accepted;
+  }
+  BOOST_TEST(accepted > 20);
+  const std::pair<const char*, const char*> wrong[] = {{"emptiness-off-plane-in", "L18 "}, {"emptiness-off-plane-on", "L18 "}, {"emptiness-in-plane", "L18 "}, {"tie-inner", "L18b "},
+                                                       {"tiling-gap", "L19 "}, {"hanging-in-ball", "L22 "}, {"hanging-on-ball", "L22 "}};
+  for (const auto& [name, statement] : wrong) {
+    const std::string objection = objection_to(instance_of(read_certificate((folder / "reject" / (std::string(name) + ".cert")).string())));
+    BOOST_TEST(objection.rfind(statement, 0) == 0, name << ": " << objection);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(extremal_statements) {
   const auto results = decide_extremal_statements();
   BOOST_TEST(results.size() == 7);
