@@ -4,8 +4,10 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cstdlib>
+#include <filesystem>
 
 #include "proofs/lemmas/algebraic.h"
+#include "proofs/lemmas/certificate_instance.h"
 #include "tests/core/complex/triangulation_rules.h"
 #include "tests/support/placing.h"
 #include "tests/support/random_inputs.h"
@@ -97,7 +99,7 @@ BOOST_AUTO_TEST_CASE(statements_notice) {
 
 // The campaign's oracle has nothing against what the checker accepts, and finds what makes others wrong.
 BOOST_AUTO_TEST_CASE(objections_to_certificates) {
-  const std::filesystem::path folder = CONFIDEL_CERTIFICATES;
+  const std::filesystem::path folder = CONFIDEL_SOURCE_DIR "/tests/certificates";
   int accepted = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder / "accept")) {
     if (entry.path().extension() != ".cert") continue;
