@@ -112,7 +112,7 @@ void put_lines(const Picture& picture, Json& data) {
   }
   for (const CellEdge& edge : picture.edges)
     if (edge.chew_boundary) chew.insert(chew.end(), {edge.ends[0], edge.ends[1]});
-  for (const Ball& ball : picture.balls) {
+  for (const DrawnBall& ball : picture.balls) {
     balls.push_back(ball.vertex);
     radii.push_back(ball.radius);
   }

@@ -51,7 +51,7 @@ void find_balls(Picture& picture) {
   }
   for (const auto& [vertex, found] : on_ball) {
     const auto [point, tightest] = found;
-    Ball ball;
+    DrawnBall ball;
     ball.vertex = vertex;
     ball.point = point;
     ball.tightest = tightest;

@@ -15,7 +15,7 @@
 namespace confidel {
 
 /// A protecting circle or sphere: vertices at the tip of cells of the kinds S and T have one.
-struct Ball {
+struct DrawnBall {
   int vertex = 0;
   double radius = 0;
   mpq_class radius_square;  ///< of the point below; the others on the ball may be rounded differently
@@ -41,7 +41,7 @@ struct Picture {
   std::vector<std::array<double, 3>> positions;
   std::vector<CellClearance> clearances;
   std::vector<LemmaSlacks> lemmas;
-  std::vector<Ball> balls;       ///< by vertex
+  std::vector<DrawnBall> balls;       ///< by vertex
   std::vector<CellEdge> edges;   ///< by facet, then by ends; an edge of two facets occurs in both
   nlohmann::ordered_json check;  ///< the checker's report, or null
   std::string verdict;           ///< its last line, or why there is none

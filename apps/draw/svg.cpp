@@ -66,7 +66,7 @@ class Drawing {
           low_[axis] = std::min(low_[axis], position[axis]);
           high_[axis] = std::max(high_[axis], position[axis]);
         }
-      for (const Ball& ball : picture_.balls)
+      for (const DrawnBall& ball : picture_.balls)
         for (int axis = 0; axis < 2; ++axis) {
           low_[axis] = std::min(low_[axis], picture_.positions[ball.vertex][axis] - ball.radius);
           high_[axis] = std::max(high_[axis], picture_.positions[ball.vertex][axis] + ball.radius);
@@ -209,7 +209,7 @@ class Drawing {
     layers_.push_back(std::move(circumcircles_));
     layers_.push_back(std::move(diametral_));
     Layer& balls = layer("circles", "protecting circles", "ball", true);
-    for (const Ball& ball : picture_.balls) {
+    for (const DrawnBall& ball : picture_.balls) {
       const Position& centre = picture_.positions[ball.vertex];
       if (!inside(centre[0] - ball.radius, centre[1] - ball.radius, centre[0] + ball.radius, centre[1] + ball.radius)) continue;
       balls.shapes.push_back({circle(centre[0], centre[1], ball.radius), "ball", "",
