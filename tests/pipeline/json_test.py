@@ -10,7 +10,7 @@ import tempfile
 from harness import EXAMPLES, ROOT, Programs
 
 # Keys that are data: kinds of points and cells, and what confidel-check and campaign.json hold (their own pages).
-DATA = {"points_by_kind", "cells_by_kind", "checker", "plan"}
+DATA = {"points_by_kind", "cells_by_kind", "checker", "plan", "parameters", "tetrahedron_corner"}
 
 
 def sections():
@@ -59,7 +59,10 @@ def main():
                 ("shrink", 0, ("shrink", example("cube.off"), "--keep", "verified", "-o", out("small"))),
                 ("falsify", 3, ("falsify", "power", "--strategy", "lean", "--time-limit", "2s", "--out", out("tight"))),
                 ("falsify", 1, ("falsify", "L10", "--strategy", "paper", "--time-limit", "60s", "--out", out("found"))),
+                ("lemma", 0, ("lemma", "list")), ("lemma", 0, ("lemma", "check", "all", out("graded.cert"))), ("lemma", 1, ("lemma", "check", "L18", os.path.join(ROOT, "tests/certificates/reject/emptiness-in-plane.cert"))),
+                ("lemma", 0, ("lemma", "--kernel", "algebraic")), ("lemma", 0, ("lemma", "--kernel", "algebraic", example("tetrahedron.off"))),
                 ("paper", 0, ("paper",)), ("explain", 0, ("explain",)), ("explain", 0, ("explain", "L1")))
+        programs.expect_verified("graded", example("fan.off"), out("graded.cert"), "--strategy", "graded")
         with open(out("moved.node"), "w") as file:
             file.write("5 3 0 0\n0 0 0 0\n1 10 0 0\n2 0 10 0\n3 0 0 10\n4 5 5 0.000000001\n")
         with open(out("moved.ele"), "w") as file:
