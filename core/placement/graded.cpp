@@ -37,6 +37,11 @@ BufferSizes graded_sizes(const Complex& complex, const Features& features) {
     }
     sizes.offset[s] = d;
   }
+  // Arcs of facets that meet at an edge come as close as d_e sin(alpha_e) and end up about as short. Rounding must stay below the square of
+  // that by 16 r_v (theory.md section 5), by a factor of four here: 2^-12 angle^2 r_v is that for this angle.
+  for (std::size_t s = 0; s < complex.segments.size(); ++s)
+    for (const VertexId v : complex.segments[s])
+      sizes.vertex_angle[v] = std::min(sizes.vertex_angle[v], 8 * sizes.offset[s] / sizes.radius[v] * std::sin(std::min(features.dihedral_angle[s], std::numbers::pi / 2)));
   return sizes;
 }
 

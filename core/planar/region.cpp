@@ -116,6 +116,14 @@ struct Region::Implementation {
     return {FaceHandle(), Edge()};
   }
 
+  // The face inside that contains p, or a null handle. A walk may run into the boundary although the straight way from f is free.
+  FaceHandle home(FaceHandle f, const Point& p) const {
+    const FaceHandle walked = walk(f, p).first;
+    if (walked != FaceHandle()) return walked;
+    const FaceHandle located = triangulation.locate(PlanarPoint{&p}, f);
+    return inside(located) ? located : FaceHandle();
+  }
+
   std::array<int, 2> ends(const Edge& e) const {
     const int a = e.first->vertex(Triangulation::ccw(e.second))->info();
     const int b = e.first->vertex(Triangulation::cw(e.second))->info();
@@ -156,7 +164,7 @@ int Region::split(int a, int b, const Point& p) {
     } while (++f != end);
     return v->info();
   }
-  const auto [face, blocked] = self.walk(edge.first, p);
+  const FaceHandle face = self.home(edge.first, p);
   if (face == FaceHandle()) throw std::logic_error("region: an arc point lies beyond a boundary segment");
   VertexHandle v = self.number(t.insert(PlanarPoint{&p}, face));
   auto f = t.incident_faces(v), end = f;
@@ -246,11 +254,7 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
         environment.circumcentre(self.point(f->vertex(0)), self.point(f->vertex(1)), self.point(f->vertex(2))));
     const Point& centre = self.own_points.back();
     auto [home, blocking] = self.walk(f, centre);
-    if (home == FaceHandle() && !ruppert) {
-      // A walk may run into the boundary although the straight way is free.
-      const FaceHandle located = t.locate(PlanarPoint{&centre}, f);
-      if (self.inside(located)) home = located;
-    }
+    if (home == FaceHandle() && !ruppert) home = self.home(f, centre);
     if (home == FaceHandle()) {
       if (blocking.first != FaceHandle())
         result.blocking.push_back(self.ends(blocking));
