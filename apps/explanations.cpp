@@ -68,7 +68,7 @@ constexpr Explanation table[] = {
     {"max-points", "reason", "More points would be needed than `--max-points` allows.", "Raise the limit, or 0 for none; `estimate=` says what to expect. The lean strategy needs fewer points than graded."},
     {"time-limit", "reason", "The time of `--time-limit` is over.", "Raise the limit."},
     {"memory-limit", "reason", "The memory of `--memory-limit` is used up.", "Raise the limit."},
-    {"range", "reason", "A distance of the input is below 2^-1000 of its extent: sizes are steered in doubles, which end there.", "Snap the input to a grid; or `--strategy lean`, which often needs no sizes."},
+    {"range", "reason", "A size that an input's distances and angles ask for is below 2^-240 of its extent: sizes are steered in doubles, which end there.", "Snap the input to a grid; or `--strategy lean`, which often needs no sizes."},
     {"too-large", "reason", "The checker declines: an integer, a count, a line or a zstd window exceeds what the format allows.", "docs/certificate-format.md section 1 has the limits."},
     {"cells", "reason", "What ranges over cells was tested for those of `--cells` only.", "Test the others too, or without that option."},
     {"newer-version", "reason", "The certificate is of a version that this checker does not know.", "Use a newer checker."},

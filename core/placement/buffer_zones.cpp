@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -42,6 +43,10 @@ std::vector<int> incidences_of(const Complex& complex) {
 
 }  // namespace
 
+void expect_in_range(double tolerance) {
+  if (!(tolerance >= 0x1p-240)) throw std::range_error("a size is below 2^-240 of the input's extent, where doubles cannot steer");
+}
+
 BufferZones::BufferZones(const Complex& complex, const BufferSizes& sizes, Stage) : complex_(complex), radius_(sizes.radius) {
   for (const Point& vertex : complex.vertices) add_reference(vertex, PointKind::vertex, -1);
   for (const Facet& facet : complex.facets) frames_.emplace_back(complex, facet);
@@ -49,6 +54,7 @@ BufferZones::BufferZones(const Complex& complex, const BufferSizes& sizes, Stage
   for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
     const double angle = std::min(1.0, sizes.vertex_angle[v]);
     tolerances_[v] = sizes.radius[v] * angle * angle * sizes.vertex_precision;
+    expect_in_range(tolerances_[v]);
   }
   build_rows(sizes);
   build_sectors(sizes);

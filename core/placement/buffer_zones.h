@@ -16,6 +16,10 @@
 namespace confidel {
 
 /// Sizes in working coordinates, floating point: they steer.
+/// Products of four lengths of this order are still doubles: what steers refinement computes them. Throws std::range_error if a rounding
+/// tolerance of the strategies is smaller.
+void expect_in_range(double tolerance);
+
 struct BufferSizes {
   std::vector<double> radius;   ///< r_v per vertex
   std::vector<double> offset;   ///< d_e per segment

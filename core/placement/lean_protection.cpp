@@ -25,7 +25,9 @@ LeanProtection::LeanProtection(LeanState& state) : state_(state), complex_(state
 
 double LeanProtection::tolerance(VertexId v) const {
   const double angle = std::min(1.0, state_.sizes().vertex_angle[v]);
-  return state_.sizes().radius[v] * angle * angle * 0x1p-12;
+  const double result = state_.sizes().radius[v] * angle * angle * 0x1p-12;
+  expect_in_range(result);
+  return result;
 }
 
 void LeanProtection::build_sheets() {

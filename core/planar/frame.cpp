@@ -63,7 +63,7 @@ double Dyadic::approximate() const {
 }
 
 Dyadic round_to(long double value, double tolerance) {
-  if (!(tolerance >= 0x1p-1000)) throw std::range_error("a size is below 2^-1000 of the input's extent, where doubles cannot steer");
+  if (!(tolerance >= 0x1p-1000) || !std::isfinite(value)) throw std::range_error("a position asks for more than doubles can say");
   const int bits = -static_cast<int>(std::floor(std::log2(tolerance)));
   return {rounded_integer(std::ldexp(value, bits)), bits};
 }

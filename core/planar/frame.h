@@ -40,7 +40,7 @@ struct Dyadic {
 };
 
 /// The multiple of 2^-bits that is nearest to value, for bits with 2^-bits <= tolerance < 2^(1-bits).
-/// Throws std::range_error if the tolerance is below 2^-1000.
+/// Throws std::range_error if the tolerance is below 2^-1000, or the value is none.
 Dyadic round_to(long double value, double tolerance);
 /// The exact arithmetic mean.
 Dyadic midpoint(const Dyadic& a, const Dyadic& b);

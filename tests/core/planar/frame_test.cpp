@@ -82,6 +82,7 @@ BOOST_AUTO_TEST_CASE(round_to_the_nearest_multiple) {
 BOOST_AUTO_TEST_CASE(rounding_below_the_range_of_doubles_is_refused) {
   BOOST_TEST(round_to(1e-300L, 0x1p-1000).exponent == 1000);
   BOOST_CHECK_THROW(round_to(1, 0x1p-1001), std::range_error);
+  BOOST_CHECK_THROW(round_to(std::nan(""), 1), std::range_error);
   BOOST_CHECK_THROW(round_to(1, 0), std::range_error);
   BOOST_CHECK_THROW(round_to(1, std::nan("")), std::range_error);
 }
