@@ -74,6 +74,7 @@ def write_malformed(m):
     m.malformed("offset-dim2", flat, "E-VALUE", "t 0 0 1 2 C 1/2", "an offset in dimension 2")
     # 1.6
     change("weight-zero", "E-VALUE", "v 4 0 0 1", "v 4 0 0 0", "W is zero")
+    change("weight-zero-prime", "E-VALUE", "v 4 0 0 1", "v 1 0 0 0", "W is zero and there is no common divisor")
     change("weight-negative", "E-VALUE", "v 4 0 0 1", "v -4 0 0 -1", "W is negative")
     change("common-divisor-two", "E-VALUE", "v 4 0 0 1", "v 8 0 0 2", "a common divisor of two")
     change("common-divisor-three", "E-VALUE", "v 4 0 0 1", "v c 0 0 3", "a common divisor of three")
@@ -123,6 +124,10 @@ def write_malformed(m):
     m.malformed("constraints-fewer", text.replace("c 0", "c 1"), "E-COUNT", "p 0", "fewer inner constraints than announced")
     insert("constraints-more", "E-COUNT", "p 0", "0 1", "more inner constraints than announced")
     m.malformed("isolated-fewer", text.replace("p 0", "p 1"), "E-COUNT", "end", "fewer isolated vertices than announced")
+    insert("segments-after-facets", "E-COUNT", "f 0 1 2", "s 3 4", "a segment after the announcement of facets")
+    folded = m.folded().text().split("\n")
+    second = [i for i, line in enumerate(folded) if line.startswith("f ")][1]
+    m.malformed("isolated-more-inside", "\n".join(folded[:second] + ["3"] + folded[second:]), "E-COUNT", second + 1, "more isolated vertices of the first facet than announced")
     insert("isolated-more", "E-COUNT", "end", "3", "more isolated vertices than announced")
     change("segment-descending", "E-ORDER", "s 0 1", "s 1 0", "a segment with its vertices in the wrong order")
     change("segment-point", "E-ORDER", "s 0 1", "s 0 0", "a segment from a vertex to itself")
@@ -131,6 +136,7 @@ def write_malformed(m):
     change("boundary-unsorted", "E-ORDER", "1 2", "0 1", "a boundary edge twice")
     inner = m.planar(m.SLIT, [0, 1, 2, 3], inner=[(4, 5)])
     m.malformed("constraint-descending", m.edited(inner, "4 5", "5 4"), "E-ORDER", "5 4", "an inner constraint with its vertices in the wrong order")
+    m.malformed("constraint-point", m.edited(inner, "4 5", "4 4"), "E-ORDER", "4 4", "an inner constraint from a vertex to itself")
     m.malformed("constraint-twice", m.edited(inner, "c 1", ["c 2", "4 5"]), "E-ORDER", ("4 5", 2), "an inner constraint twice")
     single = m.planar(m.SLIT, [0, 1, 2, 3], isolated=[4, 5])
     m.malformed("isolated-unsorted", m.edited(single, "5", "4"), "E-ORDER", ("4", 2), "isolated vertices that are not sorted")

@@ -23,7 +23,36 @@ def write_distinct(m):
     many = m.Certificate(3, [(1, 2, 3)] * 40, [], [])
     m.reject("distinct-forty", many, "distinct", ("v 1 2 3 1", 2), "point-1-point-0", "forty vertices at one place: more than a sort of few leaves in their order")
     mixed = m.Certificate(3, [(i, 0, 0) for i in range(40)] + [(7, 0, 0), (3, 0, 0)], [], [])
+    for axis, name in enumerate("xyz"):
+        pair = []
+        for value in same_hash(axis):
+            point = [1, 1, 1]
+            point[axis] = value
+            pair.append(tuple(point))
+        m.reject("distinct-one-hash-" + name, m.Certificate(3, pair * 2, [], []), "distinct", ("v %x %x %x 1" % pair[0], 2), "point-2-point-0",
+                 "two points in turn that differ in %s and have one hash value in the checker" % name)
+    # Weights without a small common multiple: then there is no common denominator.
+    first, second = [(Q(1, w),) * 3 for w in same_hash(3)]
+    others = [(Q(2 * k + 7, 10 ** 38 + 2 * k + 1), 0, 0) for k in range(40)]
+    weighted = m.Certificate(3, [first, others[0], first, second, *others[1:], second], [], [])
+    m.reject("distinct-one-hash-w", weighted, "distinct", ("v 1 1 1 %x" % first[0].denominator, 2), "point-2-point-0", "points that differ in W and have one hash value; no common denominator")
     m.reject("distinct-two-pairs", mixed, "distinct", ("v 7 0 0 1", 2), "point-40-point-7", "two pairs coincide: the smaller of the later ones is named")
+
+
+def same_hash(axis):
+    """Two numbers of 128 bits, positive, that Points::hash takes for one, as one of the coordinates x y z W, the others 1."""
+    mask = (1 << 64) - 1
+
+    def mix(state, value):
+        state = (state ^ value) * 0xff51afd7ed558ccd & mask
+        return state ^ state >> 32
+    state = 0x9e3779b97f4a7c15
+    for _ in range(axis):
+        state = mix(mix(state, 2), 1)
+    state = mix(state, 4)
+    first, second = mix(state, 3), mix(state, 5)
+    high = 1 << 62 | 12345
+    return high << 64 | 3, (high ^ first ^ second) << 64 | 5
 
 
 def write_planes(m):
@@ -42,8 +71,10 @@ def write_planes(m):
             ("not-coplanar-second", [(0, 0, 0), (5, 5, 5), (1, 0, 0), (0, 1, 0), (3, 2, 0)], "all but vertex 1 in one plane"),
             ("not-coplanar-third", [(0, 0, 0), (1, 0, 0), (5, 5, 5), (0, 1, 0), (3, 2, 0), (4, 7, 0)], "all but vertex 2 in one plane"),
             ("not-coplanar-last", [(0, 0, 0), (1, 0, 0), (0, 1, 0), (3, 2, 0), (4, 7, 1)], "all but the last vertex in one plane"),
+            ("coplanar-beside", None, "a facet, and a vertex beside it in its plane"),
             ("coplanar-collinear", [(0, 0, 0), (1, 1, 1), (2, 2, 2), (3, 3, 3)], "vertices on a line")]:
-        m.accept(name, m.Certificate(3, points, [], []), reason)
+        c = m.Certificate(3, points, [], []) if points else m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=[(9, 9, 0)])
+        m.accept(name, c, reason)
     below = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2])
     below.vertices.insert(0, (9, 9, 9))
     below.segments, below.cells = [(1, 2), (1, 3), (2, 3)], ["0 1 2 3 C"]
@@ -81,6 +112,12 @@ def write_pairs(m):
     m.accept("offset-second-facet", near, "a sphere with an offset in the second facet, which alone leaves a vertex outside")
     near.cells[1] = "1 3 4 5 C"
     m.reject("offset-second-facet-without", near, "emptiness", "t 1 3 4 5 C", "cell-1-point-6", "the same without the offset")
+    # In floats one component of the second facet's normal is out of range: the cell has to be in doubt.
+    tiny = Q(1, 2 ** 300)
+    for name, x, y, turn in [("x", tiny, 0, lambda p: p), ("y", 0, tiny, lambda p: p), ("z", tiny, 0, lambda p: p[1:] + p[:1])]:
+        tilted = two_facets(m, map(turn, flat), map(turn, [(9, 0, 0), (13, 0, x), (9, 4, y)]), " -1/4")
+        tilted.vertices.append(turn((10, 1, -1)))
+        m.reject("offset-normal-tiny-" + name, tilted, "emptiness", "t 1 3 4 5 C -1/4", "cell-1-point-6", "a facet whose normal has a component %s of 2^-298, and a sphere with an offset" % name)
 
 
 def write_boxes(m):
@@ -105,6 +142,10 @@ def write_boxes(m):
     upright = m.Certificate(3, standing(ring), m.undirected(m.loop([0, 1, 2, 3])), [dict(corners=(0, 1, 2), boundary=m.loop([0, 1, 2, 3]))],
                             cells=["0 0 1 2 R 0", "0 0 2 3 R 0"])
     m.reject("box-no-parallelogram-z", upright, "box", "t 0 0 1 2 R 0", "box-0-no-parallelogram", "right-angled at one corner; opposite sides differ in z alone")
+    ring = [(0, 0), (2, 0), (3, 2), (0, 2)]
+    flat = m.Certificate(3, [(x, y, 0) for x, y in ring], m.undirected(m.loop([0, 1, 2, 3])), [dict(corners=(0, 1, 2), boundary=m.loop([0, 1, 2, 3]))],
+                         cells=["0 0 1 2 R 0", "0 0 2 3 R 0"])
+    m.reject("box-no-parallelogram-x", flat, "box", "t 0 0 1 2 R 0", "box-0-no-parallelogram", "the same, in x alone")
 
 
 # A polygon with corners at one height, a notch and a hole; where segments pass its plane: (x, y), and whether that is in the polygon.

@@ -290,6 +290,18 @@ void roundings() {
     test.testOrientation(0, 1, 3);
 }
 
+// Centres so far away along one axis that the rounding of the offset is larger than all other errors.
+void farCentres() {
+    const auto axis = static_cast<std::size_t>(below(3));
+    std::vector<Place> places;
+    for (int k = 0; k < 6; ++k) places.push_back({{bits(20), bits(20), bits(20)}});
+    for (std::size_t k = 0; k < 3; ++k) places[k].x[axis] = 7;
+    addExtent(places, 30);
+    Case test(places);
+    const mpq_class offset = quotient(bits(60), 2 * below(1L << 55) + 1);
+    if (sgn(offset) != 0) test.testCell(&offset);
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -300,6 +312,7 @@ int main(int count, char** arguments) {
         slivers();
         roundings();
     }
+    for (long k = 0; k < cases; ++k) farCentres();
     std::printf("%ld balls, %ld in doubt, %ld of %ld clear ones decided; %ld points decided; %ld of %ld orientations decided\n", tested, inDoubt, clearDecided, clear,
                 decided, orientationsDecided, orientations);
     std::printf("largest part of the room that was needed: cells %.3f, with offset %.3f, subsegments %.3f\n", mostRoom[0], mostRoom[1], mostRoom[2]);

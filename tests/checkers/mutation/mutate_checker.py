@@ -2,18 +2,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mutants of the checker: is every comparison, loop bound, constant and early return of checkers/gmp held by a test?
 
-    mutate_checker.py [--list] [--only REGEX] [--sample N] [--shard I/N] [--jobs 1] [--out FILE] [--separately]
+    mutate_checker.py [--list] [--only REGEX] [--sample N] [--shard I/N] [--jobs 1] [--out FILE] [--folder FOLDER] [--separately]
 
 Each mutant changes one place in one file (places.py): a comparison includes equality or no longer does, a loop stops one early, a number is one
 more, true is false, `&&` becomes `||`, an `if` that leaves never does, a minus is a plus. It is run on the certificates of tests/certificates, on the
 command lines of run_certificates.py, and on changed certificates, where it must answer as the original does (which agreement_test.py compares with
-the verified checker). A mutant that no test notices is a survivor.
+the verified checker); what the float filter and its test share, also on that test (tests/checkers/filter). A mutant that no test notices is a survivor.
 
 Most mutants are compiled into one program, which is told which one to be (schemata.py); the others, and with --separately all, get a program each.
 
 Survivors that cannot differ are listed in equivalent.tsv with the reason; the key is file, text of the line, place in it and
-change, so that other lines may move. Exit code 1 if a survivor is not listed there, or a listed one is caught.
-With --out, results are appended to FILE as lines of JSON; what was caught there, of the same sources, is not run again."""
+change, so that other lines may move. Exit code 1 if a survivor is not listed there, a listed one is caught, or there is no such place any more.
+With --out, results are appended to FILE as lines of JSON; what was caught there, of the same sources, is not run again, nor what survived the same tests.
+With --folder, what was compiled is kept there, for a round of the same mutants."""
 import argparse
 import concurrent.futures
 import hashlib
@@ -35,6 +36,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 SOURCE = places.SOURCE
 CERTIFICATES = os.path.normpath(os.path.join(HERE, "..", "..", "certificates"))
 EQUIVALENT = os.path.join(HERE, "equivalent.tsv")
+FILTER_TEST = os.path.join(HERE, "..", "filter", "consistency.cpp")
+FILTER_SOURCES = ("points.cpp", "sphere.cpp", "filter.cpp", "index.cpp")  # as in tests/checkers/tests.cmake
 sys.path[:0] = [os.path.join(HERE, "..", "verified")]
 import mutants as certificate_mutants
 
@@ -42,7 +45,8 @@ import mutants as certificate_mutants
 FLAGS = ["-std=gnu++20", "-w", "-fmax-errors=0", "-D_GLIBCXX_ASSERTIONS", "-fsanitize=bounds,shift,signed-integer-overflow,null,bool,enum", "-fsanitize-undefined-trap-on-error"]
 LINKER = ["-Wl,-z,now", *(["-fuse-ld=gold"] if shutil.which("ld.gold") else [])]  # bound before forking, not in each child
 LIBRARIES = ["-lgmpxx", "-lgmp", "-lzstd", "-lcrypto", "-lpthread"]
-TIMEOUT = 120
+TIMEOUT = 600  # of waiting: others may keep the processor busy
+SECONDS = 60  # of the processor, for each process
 NOT_COMPILED, ENDLESS = "does not compile", "does not end"
 
 
@@ -52,32 +56,70 @@ def check(command):
         sys.exit(" ".join(command) + "\n" + done.stderr)
 
 
+def digest_of(paths):
+    digest = hashlib.sha256()
+    for path in paths:
+        with open(path, "rb") as file:
+            digest.update(file.read())
+    return digest.hexdigest()
+
+
+def files_of(folder, endings):
+    return sorted(os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(endings))
+
+
 class Build:
-    """The driver, the original's objects, and which of them include what."""
+    """Programs of the driver and the checker's files, original and changed; what is needed is compiled when it is."""
 
     def __init__(self, folder):
         self.folder = folder
+        # Of other sources nothing can be used.
+        stamp, digest = os.path.join(folder, "digest"), digest_of(files_of(SOURCE, (".cpp", ".h")) + files_of(HERE, (".cpp", ".h")) + [FILTER_TEST, places.__file__, schemata.__file__]) + repr(FLAGS)
+        if not os.path.exists(stamp) or open(stamp).read() != digest:
+            if os.path.exists(folder) and os.listdir(folder) and not os.path.exists(stamp):
+                sys.exit("%s is not empty and was not made by this script" % folder)
+            shutil.rmtree(folder, ignore_errors=True)
+            os.makedirs(os.path.join(folder, "system.h.gch"))
+            with open(stamp, "w") as out:
+                out.write(digest)
         self.names = sorted(name for name in os.listdir(SOURCE) if name.endswith(".cpp"))
-        headers = set()
-        for name in [os.path.join(SOURCE, name) for name in os.listdir(SOURCE)] + [os.path.join(HERE, "mutant_driver.cpp")]:
-            if name.endswith((".cpp", ".h")):
-                headers.update(re.findall(r"^#include (<[^>]+>)", open(name).read(), re.M))
-        with open(os.path.join(folder, "system.h"), "w") as out:
-            out.write("".join("#include %s\n" % header for header in sorted(headers)) + '#include "%s"\n' % os.path.join(HERE, "mutant.h"))
-        # Quickly compiled for a mutant alone, quicker when it runs for many: two precompiled headers, and the compiler takes the one that fits.
-        os.makedirs(os.path.join(folder, "system.h.gch"))
-        for level in ("-O0", "-O1"):
-            check(["g++", *FLAGS, level, "-x", "c++-header", os.path.join(folder, "system.h"), "-o", os.path.join(folder, "system.h.gch", "system" + level)])
-        self.driver = os.path.join(folder, "driver.o")
-        check(self.compile_command(HERE, "mutant_driver.cpp", self.driver))
+        headers = {"<cstdlib>"}
+        for name in files_of(SOURCE, (".cpp", ".h")) + [os.path.join(HERE, "mutant_driver.cpp"), FILTER_TEST]:
+            headers.update(re.findall(r"^#include (<[^>]+>)", open(name).read(), re.M))
+        system = "".join("#include %s\n" % header for header in sorted(headers)) + '#include "%s"\n' % os.path.join(HERE, "mutant.h")
+        if not os.path.exists(os.path.join(folder, "system.h")):
+            with open(os.path.join(folder, "system.h"), "w") as out:
+                out.write(system)
         self.includes = {name: self.closure(name) for name in self.names}
-        self.objects = {name: os.path.join(folder, name + ".o") for name in self.names}
-        source = os.path.join(folder, "source")
-        places.copy(SOURCE, source)
-        for name in self.names:
-            check(self.compile_command(source, name, self.objects[name]))
-        self.original = os.path.join(folder, "original")
-        check(self.link_command(self.objects, self.original))
+        self.source = os.path.join(folder, "source")
+        places.copy(SOURCE, self.source)
+        self.filter_files = set(FILTER_SOURCES).union(*(self.includes[name] for name in FILTER_SOURCES))
+        self.driver = self.compiled(HERE, "mutant_driver.cpp")
+        with open(os.path.join(folder, "chooser.cpp"), "w") as out:  # which mutant is in force, in a program without the driver
+            out.write('static const int chosen = mutant::active = std::getenv("CONFIDEL_MUTANT") ? std::atoi(std::getenv("CONFIDEL_MUTANT")) : -1;\n')
+
+    def header(self, level):
+        """Quickly compiled for a mutant alone, quicker when it runs for many: two precompiled headers, and the compiler takes the one that fits."""
+        target = os.path.join(self.folder, "system.h.gch", "system" + level)
+        if not os.path.exists(target):
+            check(["g++", *FLAGS, level, "-x", "c++-header", os.path.join(self.folder, "system.h"), "-o", target + ".partial"])
+            os.rename(target + ".partial", target)
+
+    def compiled(self, source, name):
+        target = os.path.join(self.folder, name + ".o")
+        if not os.path.exists(target):
+            self.header("-O0")
+            check(self.compile_command(source, name, target + ".partial"))
+            os.rename(target + ".partial", target)
+        return target
+
+    def originals(self, names):
+        return {name: self.compiled(self.source, name) for name in names}
+
+    def original(self):
+        program = os.path.join(self.folder, "original")
+        check(self.link_command(self.originals(self.names), program))
+        return program
 
     def closure(self, name):
         found, waiting = set(), [name]
@@ -95,19 +137,49 @@ class Build:
         return ["g++", *LINKER, self.driver, *objects.values(), *LIBRARIES, "-o", program]
 
     def together(self, mutants, jobs, say):
-        """(program, positions in `mutants` of those inside)"""
-        folder = os.path.join(self.folder, "together")
-        os.makedirs(folder)
-        inside, objects = schemata.build(mutants, SOURCE, folder, lambda *arguments: self.compile_command(*arguments, "-O1"), jobs, say)
-        program = os.path.join(folder, "program")
-        check(self.link_command(objects, program))
-        return program, inside
+        """(program, positions in `mutants` of those inside, the filter's test or None)"""
+        folder = os.path.join(self.folder, "together-" + hashlib.sha256("\n".join(mutant.key for mutant in mutants).encode()).hexdigest()[:16])
+        program, done = os.path.join(folder, "program"), os.path.join(folder, "inside.json")
+        if not os.path.exists(done):
+            os.makedirs(folder, exist_ok=True)
+            self.header("-O1")
+            inside, objects = schemata.build(mutants, SOURCE, folder, lambda *arguments: self.compile_command(*arguments, "-O1"), jobs, say, self.includes)
+            objects = {**self.originals(set(self.names) - set(objects)), **objects}
+            check(self.link_command(objects, program))
+            test = self.filter_test(folder, {mutants[number].file for number in inside}, objects)
+            with open(done + ".partial", "w") as out:
+                json.dump([sorted(inside), test], out)
+            os.rename(done + ".partial", done)
+        inside, test = json.load(open(done))
+        return program, set(inside), test
+
+    def filter_test(self, folder, changed, objects):
+        """The program of the test checker.filter, with the sources in `folder`; None if nothing that it uses is among the changed files."""
+        if not changed & self.filter_files:
+            return None
+        name = os.path.basename(FILTER_TEST)
+
+        def compiled(folder):  # it includes "checkers/gmp/index.h"
+            own, target = os.path.join(folder, "consistency"), os.path.join(folder, name + ".o")
+            if not os.path.exists(target):
+                os.makedirs(os.path.join(own, "checkers"), exist_ok=True)
+                if not os.path.lexists(os.path.join(own, "checkers", "gmp")):
+                    os.symlink(os.path.join(folder, "source") if os.path.exists(os.path.join(folder, "source")) else folder, os.path.join(own, "checkers", "gmp"))
+                shutil.copy(FILTER_TEST, own)
+                self.header("-O1")
+                check(self.compile_command(own, name, target, "-O1"))
+            return target
+
+        test = compiled(folder if any(file.endswith(".h") for file in changed & self.filter_files) else self.folder)
+        program = os.path.join(folder, "filter-test")
+        check(["g++", *LINKER, test, self.compiled(self.folder, "chooser.cpp"), *(objects[name] for name in FILTER_SOURCES), *LIBRARIES, "-o", program])
+        return program
 
     def alone(self, mutant, folder):
-        """The program, or None if it does not compile."""
+        """(The program, the filter's test or None); None if it does not compile."""
         source = os.path.join(folder, "source")
         places.copy(SOURCE, source, {mutant.file: mutant.text})
-        objects = dict(self.objects)
+        objects = self.originals(self.names)
         for name in self.names:
             if name == mutant.file or mutant.file in self.includes[name]:
                 objects[name] = os.path.join(folder, name + ".o")
@@ -116,11 +188,12 @@ class Build:
         program = os.path.join(folder, "program")
         if subprocess.run(self.link_command(objects, program), capture_output=True).returncode != 0:
             return None
-        return program
+        return program, self.filter_test(folder, {mutant.file}, objects)
 
 
 def limited():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
     resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
 
 
@@ -129,6 +202,7 @@ class Judge:
         self.cases = os.path.join(folder, "cases.tsv")
         # A copy: a file that changes while mutants run would be noticed by each of them.
         self.certificates = os.path.join(folder, "certificates")
+        shutil.rmtree(self.certificates, ignore_errors=True)
         shutil.copytree(CERTIFICATES, self.certificates)
         entries = []
         with open(os.path.join(self.certificates, "MANIFEST.tsv")) as file:
@@ -142,6 +216,8 @@ class Judge:
         lines = ["%s\t%s\t%s\t--threads\t1\n" % (code, expected, path) for path, code, expected in entries]
         # The original's report, which run_certificates.py compares with REPORTS.tsv.
         lines += ["%s\t%s\t%s\t--json\t--threads\t3\n" % (code, self.report(original, path), path) for path, code, expected in entries if code in "01"]
+        # Without the float filter, as run_certificates.py does.
+        lines += ["%s\t%s\t%s\t--exact\t--threads\t1\n" % (code, expected, path) for path, code, expected in entries if code != "2"]
         parents, rnd = certificate_mutants.parents(), random.Random(7)
         for number in range(changed):
             path = os.path.join(folder, "changed-%d.cert" % number)
@@ -178,11 +254,22 @@ class Judge:
                 yield number, os.path.relpath(answer.rstrip("\n").split("\t")[1], self.certificates) if "/" in answer else answer.rstrip("\n").split("\t")[1] or None
 
     @staticmethod
-    def on_command_lines(program, number):
+    def on_command_lines(program, number, mutant=None):
+        # What cuts frames of zstd starts a thousand processes.
+        frames = mutant is None or mutant.file.split(".")[0] in ("input", "limits", "main", "report")
+        return Judge.on_script([sys.executable, "-B", os.path.join(HERE, "..", "run_certificates.py"), program, "--command-line", "--until-failure", *([] if frames else ["--no-frames"])],
+                               number, "run_certificates.py --command-line")
+
+    @staticmethod
+    def on_filter(program, number):
+        # Few cases notice most.
+        return program and (Judge.on_script([program, "300"], number, "checker.filter") or Judge.on_script([program], number, "checker.filter"))
+
+    @staticmethod
+    def on_script(command, number, name):
         try:
-            done = subprocess.run([sys.executable, "-B", os.path.join(HERE, "..", "run_certificates.py"), program, "--command-line"], capture_output=True, timeout=TIMEOUT,
-                                  env=dict(os.environ, CONFIDEL_MUTANT=str(number)), preexec_fn=limited)
-            return "run_certificates.py --command-line" if done.returncode != 0 else None
+            done = subprocess.run(command, capture_output=True, timeout=TIMEOUT, env=dict(os.environ, CONFIDEL_MUTANT=str(number)), preexec_fn=limited)
+            return name if done.returncode != 0 else None
         except subprocess.TimeoutExpired:
             return ENDLESS
 
@@ -196,6 +283,11 @@ def read_equivalent():
                 *key, reason = line.rstrip("\n").split("\t")
                 result["\t".join(key)] = reason
     return result
+
+
+def stale(equivalent):
+    """Keys of which there is no place any more."""
+    return sorted(set(equivalent) - {mutant.key for mutant in places.all_mutants()})
 
 
 def chosen(options):
@@ -212,20 +304,22 @@ class Round:
     def __init__(self, options, mutants):
         self.options, self.results, self.lock = options, {}, threading.Lock()
         self.equivalent = read_equivalent()
-        self.digest = hashlib.sha256("".join(open(os.path.join(SOURCE, name)).read() for name in sorted(os.listdir(SOURCE)) if name.endswith((".cpp", ".h"))).encode()).hexdigest()
+        self.digest = digest_of(files_of(SOURCE, (".cpp", ".h")))
+        tests = [os.path.join(CERTIFICATES, "MANIFEST.tsv"), os.path.join(CERTIFICATES, "REPORTS.tsv"), os.path.join(HERE, "..", "run_certificates.py"), FILTER_TEST]
+        self.tests = "%s %d" % (digest_of(tests), options.changed)
         if options.out and os.path.exists(options.out):
             for line in open(options.out):
                 record = json.loads(line)
-                if record["source"] == self.digest and record["caught_by"] is not None:
+                if record["source"] == self.digest and (record["caught_by"] is not None or record.get("tests") == self.tests):
                     self.results[record["key"]] = record["caught_by"]
-        self.mutants = [mutant for mutant in mutants if mutant.key not in self.results]
+        self.chosen = mutants
 
     def record(self, mutant, by):
         with self.lock:
             self.results[mutant.key] = by
             if self.options.out:
                 with open(self.options.out, "a") as out:
-                    out.write(json.dumps({"key": mutant.key, "kind": mutant.kind, "line": mutant.line, "caught_by": by, "source": self.digest}) + "\n")
+                    out.write(json.dumps({"key": mutant.key, "kind": mutant.kind, "line": mutant.line, "caught_by": by, "source": self.digest, "tests": self.tests}) + "\n")
             if by is None and mutant.key not in self.equivalent:
                 print("SURVIVES %s:%d %s\t%s" % (mutant.file, mutant.line, mutant.kind, mutant.key), flush=True)
 
@@ -234,40 +328,45 @@ class Round:
 
     def all(self, folder):
         build = Build(folder)
-        judge = Judge(build.original, folder, self.options.changed)
-        own = next(judge.on_certificates(build.original, [-1]))[1] or judge.on_command_lines(build.original, -1)
-        if own:
-            sys.exit("the original fails: " + own)
-        left = list(self.mutants)
-        if not self.options.separately and len(left) > 20:
-            left = self.together(build, judge)
+        left = [mutant for mutant in self.chosen if mutant.key not in self.results]
+        if left and not self.options.separately and len(self.chosen) > 20:
+            left = self.together(build, folder)
         self.say("%d mutants get a program each" % len(left))
+        if not left:
+            return
+        judge = self.judge(folder, build.original(), build.filter_test(folder, {mutant.file for mutant in left if mutant.file.endswith(".cpp")}, build.originals(build.names)))
         with concurrent.futures.ThreadPoolExecutor(self.options.jobs) as pool:
             list(pool.map(lambda mutant: self.alone(build, judge, folder, mutant), left))
 
-    def together(self, build, judge):
+    def judge(self, folder, program, filter_test=None):
+        judge = Judge(program, folder, self.options.changed)
+        own = next(judge.on_certificates(program, [-1]))[1] or judge.on_command_lines(program, -1) or judge.on_filter(filter_test, -1)
+        if own:
+            sys.exit("with no mutant in force, the program fails: " + own)
+        return judge
+
+    def together(self, build, folder):
         """Returns those that need a program each."""
-        program, inside = build.together(self.mutants, self.options.jobs, self.say)
-        if next(judge.on_certificates(program, [-1]))[1] or judge.on_command_lines(program, -1):
-            sys.exit("with no mutant in force, the program of all mutants fails")
-        left = [self.mutants[number] for number in range(len(self.mutants)) if number not in inside]
+        program, inside, filter_test = build.together(self.chosen, self.options.jobs, self.say)
+        judge = self.judge(folder, program, filter_test)
 
         def judge_some(numbers):
             for number, by in judge.on_certificates(program, numbers):
-                self.record(self.mutants[number], by or judge.on_command_lines(program, number))
+                mutant = self.chosen[number]
+                self.record(mutant, by or (judge.on_filter(filter_test, number) if mutant.file in build.filter_files else None) or judge.on_command_lines(program, number, mutant))
 
-        inside, jobs = sorted(inside), self.options.jobs
+        waiting, jobs = [number for number in sorted(inside) if self.chosen[number].key not in self.results], self.options.jobs
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-            list(pool.map(judge_some, [inside[i * len(inside) // jobs:(i + 1) * len(inside) // jobs] for i in range(jobs)]))
-        return left
+            list(pool.map(judge_some, [waiting[i * len(waiting) // jobs:(i + 1) * len(waiting) // jobs] for i in range(jobs)]))
+        return [mutant for number, mutant in enumerate(self.chosen) if number not in inside and mutant.key not in self.results]
 
     def alone(self, build, judge, folder, mutant):
         with tempfile.TemporaryDirectory(dir=folder) as own:
-            program = build.alone(mutant, own)
-            if program is None:
+            programs = build.alone(mutant, own)
+            if programs is None:
                 by = NOT_COMPILED
             else:
-                by = next(judge.on_certificates(program, [-1]))[1] or judge.on_command_lines(program, -1)
+                by = next(judge.on_certificates(programs[0], [-1]))[1] or judge.on_filter(programs[1], -1) or judge.on_command_lines(programs[0], -1, mutant)
         self.record(mutant, by)
 
 
@@ -281,17 +380,24 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--changed", type=int, default=400, help="changed certificates per mutant")
     parser.add_argument("--out", default="")
+    parser.add_argument("--folder", default="")
     parser.add_argument("--separately", action="store_true", help="a program for each mutant: hours")
     options = parser.parse_args()
     mutants = chosen(options)
+    gone = stale(read_equivalent())
+    for key in gone:
+        print("STALE in equivalent.tsv: " + key)
     if options.list:
         for mutant in mutants:
             print("%s:%d\t%s\t%s" % (mutant.file, mutant.line, mutant.kind, mutant.key))
         print("%d mutants" % len(mutants))
-        return 0
+        return 1 if gone else 0
     work = Round(options, mutants)
-    with tempfile.TemporaryDirectory() as folder:
-        work.all(folder)
+    if options.folder:
+        work.all(os.path.abspath(options.folder))
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            work.all(folder)
     results, equivalent = work.results, work.equivalent
     survivors = [mutant for mutant in mutants if results[mutant.key] is None]
     unexplained = [mutant for mutant in survivors if mutant.key not in equivalent]
@@ -301,7 +407,7 @@ def main():
     compiled = [mutant for mutant in mutants if results[mutant.key] != NOT_COMPILED]
     print("%d mutants, %d do not compile, %d caught, %d equivalent, %d survive" % (
         len(mutants), len(mutants) - len(compiled), len(compiled) - len(survivors), len(survivors) - len(unexplained), len(unexplained)))
-    return 1 if unexplained or wrong else 0
+    return 1 if unexplained or wrong or gone else 0
 
 
 if __name__ == "__main__":

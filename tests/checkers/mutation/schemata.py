@@ -97,15 +97,17 @@ def faulty_lines(errors, folder):
     return found
 
 
-def build(mutants, source, folder, compile_command, jobs, say):
-    """Writes rewritten files to `folder` and compiles them there: (the numbers of the mutants inside, the objects)."""
+def build(mutants, source, folder, compile_command, jobs, say, includes):
+    """Writes rewritten files to `folder` and compiles them there: (the numbers of the mutants inside, the objects), but for files in which and in whose
+    headers (`includes`) nothing changes."""
     files = sorted(name for name in os.listdir(source) if name.endswith((".cpp", ".h")))
     inside = {number for number, mutant in enumerate(mutants)
               if not (mutant.kind == "constant" and mutant.original[mutant.place - 1] == "[" and ARRAY.match(mutant.key.split("\t")[1]))}
     lines = {}
     for number, mutant in enumerate(mutants):
         lines.setdefault((mutant.file, mutant.line), set()).add(number)
-    objects = {name: os.path.join(folder, name + ".o") for name in files if name.endswith(".cpp")}
+    touched = {mutant.file for mutant in mutants}
+    objects = {name: os.path.join(folder, name + ".o") for name in files if name.endswith(".cpp") and touched & {name, *includes[name]}}
 
     def compile_all(names, *options):
         """(name, errors) of those that cannot be compiled"""
