@@ -124,7 +124,6 @@ def write_malformed(m):
     m.malformed("constraints-fewer", text.replace("c 0", "c 1"), "E-COUNT", "p 0", "fewer inner constraints than announced")
     insert("constraints-more", "E-COUNT", "p 0", "0 1", "more inner constraints than announced")
     m.malformed("isolated-fewer", text.replace("p 0", "p 1"), "E-COUNT", "end", "fewer isolated vertices than announced")
-    insert("segments-after-facets", "E-COUNT", "f 0 1 2", "s 3 4", "a segment after the announcement of facets")
     folded = m.folded().text().split("\n")
     second = [i for i, line in enumerate(folded) if line.startswith("f ")][1]
     m.malformed("isolated-more-inside", "\n".join(folded[:second] + ["3"] + folded[second:]), "E-COUNT", second + 1, "more isolated vertices of the first facet than announced")

@@ -118,6 +118,10 @@ def write_pairs(m):
         tilted = two_facets(m, map(turn, flat), map(turn, [(9, 0, 0), (13, 0, x), (9, 4, y)]), " -1/4")
         tilted.vertices.append(turn((10, 1, -1)))
         m.reject("offset-normal-tiny-" + name, tilted, "emptiness", "t 1 3 4 5 C -1/4", "cell-1-point-6", "a facet whose normal has a component %s of 2^-298, and a sphere with an offset" % name)
+    offset = " -1" + "0" * 275 + "/1"
+    huge = two_facets(m, flat, [(9, 0, 0), (13, 0, 0), (9, 4, 0)], offset)
+    huge.vertices.append((10, 1, -1))
+    m.reject("offset-huge", huge, "emptiness", "t 1 3 4 5 C" + offset, "cell-1-point-6", "an offset of -2^1100, which as a double is infinite, along (0,0,16)")
 
 
 def write_boxes(m):
