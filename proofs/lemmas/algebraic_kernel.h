@@ -127,18 +127,8 @@ class CellSphere {
   /// Calls visit(id) for all points of the index with P(x) <= reach R^2 but the corners, and perhaps for more.
   template <class Visit>
   void visit(const PointIndex& index, double reach, Visit visit) const {
-    PointIndex::Position centre = kernel_.space().approximate(corners_[0]);
-    double error = Space::position_error, radius = std::sqrt(squared_radius_.upper()) * std::sqrt(1 + reach);
-    for (int axis = 0; axis < 3; ++axis) {
-      centre[axis] += twice_centre_[axis].value / 2;
-      error += twice_centre_[axis].error;
-    }
-    radius = radius * (1 + 0x1p-40) + 2 * error;
-    if (!(radius < 1e10)) {  // everything
-      centre = {0, 0, 0};
-      radius = 1e10;
-    }
-    index.visit_ball(centre, radius, [&](int id) {
+    const Ball ball = enclosing_ball(kernel_.space().approximate(corners_[0]), twice_centre_, squared_radius_, reach);
+    index.visit_ball(ball.centre, ball.radius, [&](int id) {
       if (!has(id)) visit(id);
       return false;
     });

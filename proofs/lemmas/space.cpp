@@ -97,19 +97,21 @@ int Sphere::sign(int point, double enough, bool& clear) const {
   return sgn(this->power(point));
 }
 
-void Sphere::visit(const PointIndex& index, double reach, const std::function<void(int)>& visit) const {
-  PointIndex::Position centre = space_.approximate(corners_[0]);
-  double error = Space::position_error, radius = std::sqrt(squared_radius_.upper()) * std::sqrt(1 + reach);
+Ball enclosing_ball(const PointIndex::Position& corner, const BoundedVector& twice_centre, const Bounded& squared_radius, double reach) {
+  Ball ball{corner, std::sqrt(squared_radius.upper()) * std::sqrt(1 + reach)};
+  double error = Space::position_error;
   for (int axis = 0; axis < 3; ++axis) {
-    centre[axis] += twice_centre_[axis].value / 2;
-    error += twice_centre_[axis].error;
+    ball.centre[axis] += twice_centre[axis].value / 2;
+    error += twice_centre[axis].error;
   }
-  radius = radius * (1 + 0x1p-40) + 2 * error;
-  if (!(radius < 1e10)) {  // everything
-    centre = {0, 0, 0};
-    radius = 1e10;
-  }
-  index.visit_ball(centre, radius, [&](int id) {
+  ball.radius = ball.radius * (1 + 0x1p-40) + 2 * error;
+  if (!(ball.radius < 1e10)) ball = {{0, 0, 0}, 1e10};  // everything
+  return ball;
+}
+
+void Sphere::visit(const PointIndex& index, double reach, const std::function<void(int)>& visit) const {
+  const Ball ball = enclosing_ball(space_.approximate(corners_[0]), twice_centre_, squared_radius_, reach);
+  index.visit_ball(ball.centre, ball.radius, [&](int id) {
     if (id != corners_[0] && id != corners_[1] && id != corners_[2]) visit(id);
     return false;
   });

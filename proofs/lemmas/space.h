@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/placement/point_index.h"
+#include "core/planar/frame.h"
 #include "proofs/lemmas/bounded.h"
 #include "proofs/lemmas/instance.h"
 #include "proofs/lemmas/tally.h"
@@ -33,6 +34,9 @@ class Space {
   int scale_ = 0;
   std::vector<PointIndex::Position> high_, low_;
 };
+
+/// Where to search for the points with P(x) <= reach R^2 of a sphere with this corner: in scaled coordinates, enlarged by all errors. Everything, if nothing is known.
+Ball enclosing_ball(const PointIndex::Position& corner, const BoundedVector& twice_centre, const Bounded& squared_radius, double reach);
 
 /// The sphere of one cell, and the powers of points with respect to it.
 class Sphere {
