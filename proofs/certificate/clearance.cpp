@@ -243,6 +243,12 @@ class Measure {
       result.centre[axis] = quotient(numerator, sphere.corner->denominator * sphere.scale);
     }
     result.radius = std::sqrt(quotient(sphere.radius_square, sphere.scale * sphere.scale));
+    // Doubles cannot search a sphere whose square they cannot hold (an offset may be any number).
+    if (!(result.radius < 1e150)) {
+      result = CellClearance();
+      result.degenerate = true;
+      return result;
+    }
     const int partner = fourth_corner(cell);
     const auto is_corner = [&](int point) { return std::find(cell.corners.begin(), cell.corners.end(), point) != cell.corners.end(); };
     const bool tied_box = partner >= 0 && !is_corner(partner) && relative_power(sphere, certificate_.points[partner]) == 0;

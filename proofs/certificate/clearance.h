@@ -26,7 +26,7 @@ struct CellClearance {
   Nearest all;
   /// Over the points off the facet's plane; none in dimension 2.
   Nearest off_plane;
-  /// Corners that are collinear have no sphere; the rest is then empty.
+  /// Corners that are collinear have no sphere, and one above 1e150 is beyond what doubles can search; the rest is then empty.
   bool degenerate = false;
 
   /// A point lies inside, or on the sphere and off the plane: what the rule `emptiness` forbids.
