@@ -119,9 +119,11 @@ struct Region::Implementation {
   // The face inside that contains p, or a null handle. A walk may run into the boundary although the straight way from f is free.
   FaceHandle home(FaceHandle f, const Point& p) const {
     const FaceHandle walked = walk(f, p).first;
-    if (walked != FaceHandle()) return walked;
-    const FaceHandle located = triangulation.locate(PlanarPoint{&p}, f);
-    return inside(located) ? located : FaceHandle();
+    return walked != FaceHandle() ? walked : located(f, p);
+  }
+  FaceHandle located(FaceHandle f, const Point& p) const {
+    const FaceHandle result = triangulation.locate(PlanarPoint{&p}, f);
+    return inside(result) ? result : FaceHandle();
   }
 
   std::array<int, 2> ends(const Edge& e) const {
@@ -165,7 +167,8 @@ int Region::split(int a, int b, const Point& p) {
     return v->info();
   }
   const FaceHandle face = self.home(edge.first, p);
-  if (face == FaceHandle()) throw std::logic_error("region: an arc point lies beyond a boundary segment");
+  const char* const beyond = "region: an arc point lies beyond a boundary segment";
+  if (face == FaceHandle()) throw std::logic_error(beyond);
   VertexHandle v = self.number(t.insert(PlanarPoint{&p}, face));
   auto f = t.incident_faces(v), end = f;
   do f->info() = FaceInfo{.inside = true};
@@ -175,7 +178,11 @@ int Region::split(int a, int b, const Point& p) {
     FaceHandle g;
     int i = 0;
     if (!t.is_edge(v, self.vertices[other], g, i)) simple = false;
-    t.insert_constraint(v, self.vertices[other]);
+    try {
+      t.insert_constraint(v, self.vertices[other]);
+    } catch (const Triangulation::Intersection_of_constraints_exception&) {
+      throw std::logic_error(beyond);  // inside, but not in front of ab
+    }
   }
   const Edge old = [&] {
     // The triangle a b p: the side of ab where p is.
@@ -254,7 +261,7 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
         environment.circumcentre(self.point(f->vertex(0)), self.point(f->vertex(1)), self.point(f->vertex(2))));
     const Point& centre = self.own_points.back();
     auto [home, blocking] = self.walk(f, centre);
-    if (home == FaceHandle() && !ruppert) home = self.home(f, centre);
+    if (home == FaceHandle() && !ruppert) home = self.located(f, centre);
     if (home == FaceHandle()) {
       if (blocking.first != FaceHandle())
         result.blocking.push_back(self.ends(blocking));
