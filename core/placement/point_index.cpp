@@ -64,7 +64,7 @@ void PointIndex::insert(int id, const Position& position) {
     size_ = 0;
     unused_ = -1;
     for (const Node& leaf : nodes) {
-      int filled = (leaf.count - 1) % Block::size + 1;
+      int filled = in_newest_block(leaf);
       for (int b = leaf.block; b >= 0; b = blocks[b].next, filled = Block::size)
         for (int entry = 0; entry < filled; ++entry) insert(blocks[b].ids[entry], blocks[b].positions[entry]);
     }
@@ -89,7 +89,7 @@ void PointIndex::insert(int id, const Position& position) {
   while (nodes_[node].count > bucket_size && depth < greatest_depth) {
     const int child = static_cast<int>(nodes_.size());
     nodes_.resize(nodes_.size() + 8);
-    int filled = (nodes_[node].count - 1) % Block::size + 1;
+    int filled = in_newest_block(nodes_[node]);
     for (int b = nodes_[node].block; b >= 0; filled = Block::size) {
       const Block block = blocks_[b];
       blocks_[b].next = unused_;

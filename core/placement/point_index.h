@@ -61,7 +61,7 @@ class PointIndex {
     if (distance > square) return false;
     const Node& node = nodes_[index];
     if (node.child < 0) {
-      int filled = (node.count - 1) % Block::size + 1;
+      int filled = in_newest_block(node);
       for (int b = node.block; b >= 0; b = blocks_[b].next, filled = Block::size) {
         const Block& block = blocks_[b];
         for (int entry = filled - 1; entry >= 0; --entry) {
@@ -89,6 +89,8 @@ class PointIndex {
     }
     return false;
   }
+
+  static int in_newest_block(const Node& leaf) { return (leaf.count - 1) % Block::size + 1; }
 
   static int octant(const Position& middle, const Position& position) {
     return (position[0] >= middle[0]) + 2 * (position[1] >= middle[1]) + 4 * (position[2] >= middle[2]);
