@@ -35,18 +35,22 @@ struct Group {
     if (record.contains("slacks") && record["slacks"].contains("power")) smallest_power = std::min(smallest_power, record["slacks"]["power"]["slack"].get<double>());
   }
 
-  std::string cells() {
-    std::sort(points.begin(), points.end());
-    const auto quantile = [&](double q) { return points.empty() ? std::string("-") : fmt::format("{}", points[static_cast<std::size_t>(q * static_cast<double>(points.size() - 1))]); };
-    const auto number = [](double value) { return value == std::numeric_limits<double>::infinity() ? std::string("-") : fmt::format("{:.3g}", value); };
-    return fmt::format("{} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |", runs, verified, refuted, undecided, invalid, unexpected, fell_back, quantile(0.5), quantile(0.9), quantile(1), number(smallest_angle), number(smallest_power));
-  }
   Json json() {
     std::sort(points.begin(), points.end());
     const auto quantile = [&](double q) { return points.empty() ? Json() : Json(points[static_cast<std::size_t>(q * static_cast<double>(points.size() - 1))]); };
     const auto number = [](double value) { return value == std::numeric_limits<double>::infinity() ? Json() : Json(value); };
     return {{"runs", runs}, {"verified", verified}, {"refuted", refuted}, {"undecided", undecided}, {"refused", invalid}, {"unexpected", unexpected}, {"as_graded", fell_back},
             {"points_median", quantile(0.5)}, {"points_90_percent", quantile(0.9)}, {"points_most", quantile(1)}, {"smallest_angle", number(smallest_angle)}, {"smallest_power", number(smallest_power)}};
+  }
+
+  /// The same numbers in the same order, as the cells of a row.
+  std::string cells() {
+    const Json numbers = json();
+    std::string row;
+    for (const Json& value : numbers)
+      row += value.is_null() ? "- | " : value.is_number_float() ? fmt::format("{:.3g} | ", value.get<double>()) : value.dump() + " | ";
+    row.pop_back();
+    return row;
   }
 };
 
