@@ -13,7 +13,7 @@ Most mutants are compiled into one program, which is told which one to be (schem
 
 Survivors that cannot differ are listed in equivalent.tsv with the reason; the key is file, text of the line, place in it and
 change, so that other lines may move. Exit code 1 if a survivor is not listed there, a listed one is caught, or there is no such place any more.
-With --out, results are appended to FILE as lines of JSON; what was caught there, of the same sources, is not run again, nor what survived the same tests.
+With --out, results are appended to FILE as lines of JSON; what was caught there, of the same text of the changed file, is not run again, nor what survived the same tests.
 With --folder, what was compiled is kept there, for a round of the same mutants."""
 import argparse
 import concurrent.futures
@@ -304,13 +304,15 @@ class Round:
     def __init__(self, options, mutants):
         self.options, self.results, self.lock = options, {}, threading.Lock()
         self.equivalent = read_equivalent()
-        self.digest = digest_of(files_of(SOURCE, (".cpp", ".h")))
+        # Of the file alone: a round of an hour is worth keeping when another file changes. A fresh FILE is a round of one state.
+        self.digests = {name: digest_of([os.path.join(SOURCE, name)]) for name in {mutant.file for mutant in mutants}}
+        keys = {mutant.key: mutant.file for mutant in mutants}
         tests = [os.path.join(CERTIFICATES, "MANIFEST.tsv"), os.path.join(CERTIFICATES, "REPORTS.tsv"), os.path.join(HERE, "..", "run_certificates.py"), FILTER_TEST]
         self.tests = "%s %d" % (digest_of(tests), options.changed)
         if options.out and os.path.exists(options.out):
             for line in open(options.out):
                 record = json.loads(line)
-                if record["source"] == self.digest and (record["caught_by"] is not None or record.get("tests") == self.tests):
+                if record["key"] in keys and record["source"] == self.digests[keys[record["key"]]] and (record["caught_by"] is not None or record.get("tests") == self.tests):
                     self.results[record["key"]] = record["caught_by"]
         self.chosen = mutants
 
@@ -319,7 +321,7 @@ class Round:
             self.results[mutant.key] = by
             if self.options.out:
                 with open(self.options.out, "a") as out:
-                    out.write(json.dumps({"key": mutant.key, "kind": mutant.kind, "line": mutant.line, "caught_by": by, "source": self.digest, "tests": self.tests}) + "\n")
+                    out.write(json.dumps({"key": mutant.key, "kind": mutant.kind, "line": mutant.line, "caught_by": by, "source": self.digests[mutant.file], "tests": self.tests}) + "\n")
             if by is None and mutant.key not in self.equivalent:
                 print("SURVIVES %s:%d %s\t%s" % (mutant.file, mutant.line, mutant.kind, mutant.key), flush=True)
 
