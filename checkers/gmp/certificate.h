@@ -99,4 +99,4 @@ struct Certificate {
     std::uint32_t carriedCount(std::uint32_t segment) const { return static_cast<std::uint32_t>(carriedFirst[segment + 1] - carriedFirst[segment]); }
 };
 
-void readCertificate(Certificate&, const std::string& path, const std::string& complexPath);
+void readCertificate(Certificate&, const std::string& path, const std::string& complexPath, unsigned threads);

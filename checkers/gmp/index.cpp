@@ -9,6 +9,7 @@
 
 namespace {
 constexpr std::size_t worthAThread = 50000;
+constexpr double coarse = 8;  // units of the grid: what the filter cannot tell apart, nor the bounds of a sphere
 }
 
 namespace {
@@ -38,19 +39,31 @@ Index::Index(const Certificate& certificate, const std::vector<std::uint32_t>& p
         items_.push_back({{static_cast<double>(grid[0]), static_cast<double>(grid[1]), static_cast<double>(grid[2])}, p, certificate.pointPlane[p]});
     }
     if (!items_.empty()) build(0, items_.size(), threads, nodes_);
+    for (Node& node : nodes_) {
+        if (node.cluster == none) continue;
+        std::vector<std::uint32_t> members;
+        for (std::size_t k = node.child[0]; k < node.child[1]; ++k) members.push_back(items_[k].point);
+        node.cluster = static_cast<std::uint32_t>(clusters_.size());
+        clusters_.emplace_back(certificate.points, std::move(members));
+    }
     ranks_.assign(certificate.pointCount(), none);
     for (std::uint32_t i = 0; i < items_.size(); ++i) ranks_[items_[i].point] = i;
 }
 
-// Smaller ones to the left of `middle`, along the axis of the largest extent.
-void Index::split(std::size_t first, std::size_t middle, std::size_t last) {
-    double low[3], high[3];
+// The box of all, as if it were one item's.
+void Index::enclose(std::size_t first, std::size_t last, double (&low)[3], double (&high)[3]) const {
     for (int i = 0; i < 3; ++i) low[i] = high[i] = items_[first].low[i];
     for (std::size_t k = first; k < last; ++k)
         for (int i = 0; i < 3; ++i) {
             low[i] = std::min(low[i], items_[k].low[i]);
             high[i] = std::max(high[i], items_[k].low[i]);
         }
+}
+
+// Smaller ones to the left of `middle`, along the axis of the largest extent.
+void Index::split(std::size_t first, std::size_t middle, std::size_t last) {
+    double low[3], high[3];
+    enclose(first, last, low, high);
     int axis = 0;
     for (int i = 1; i < 3; ++i)
         if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
@@ -77,6 +90,24 @@ void Index::addChild(Node& node, std::uint32_t child, const Node& below) {
 void Index::build(std::size_t first, std::size_t last, unsigned threads, std::vector<Node>& nodes) {
     const std::size_t number = nodes.size(), count = last - first;
     nodes.push_back(Node{});
+    nodes.back().cluster = none;
+    if (count >= Cluster::fewest) {
+        double low[3], high[3];
+        enclose(first, last, low, high);
+        if (high[0] - low[0] < coarse && high[1] - low[1] < coarse && high[2] - low[2] < coarse) {
+            Node& node = nodes.back();
+            for (int i = 0; i < 3; ++i) {
+                node.boxes.low[i][0] = low[i];
+                node.boxes.high[i][0] = high[i] + 1;
+            }
+            node.count = 1;
+            node.plane[0] = none;
+            node.cluster = 0;
+            node.child[0] = static_cast<std::uint32_t>(first);
+            node.child[1] = static_cast<std::uint32_t>(last);
+            return;
+        }
+    }
     if (count <= Boxes::most) {
         Node& node = nodes.back();
         for (std::size_t k = first; k < last; ++k) {

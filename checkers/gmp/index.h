@@ -4,8 +4,8 @@
 // Boxes are kept as doubles, which hold integers below 2^53 exactly.
 #pragma once
 
+#include "cluster.h"
 #include "rules.h"
-#include "sphere.h"
 
 // Up to four boxes of integers.
 struct Boxes {
@@ -95,9 +95,9 @@ class Index {
 public:
     Index(const Certificate& certificate, const std::vector<std::uint32_t>& points, unsigned threads);
 
-    // Calls visitor.near(point) and visitor.far(point), the latter not for points whose only plane is `plane`.
+    // Calls visitor.near(point) and visitor.far(point), the latter not for most of the points whose only plane is `plane`.
     template <class SomeReach, class Visitor>
-    void search(SomeReach& reach, std::uint32_t plane, Visitor& visitor) const;
+    void search(Sphere& sphere, SomeReach& reach, std::uint32_t plane, Visitor& visitor) const;
 
     // Points that are near each other have ranks that are near each other, mostly.
     const std::vector<std::uint32_t>& ranks() const { return ranks_; }
@@ -112,14 +112,17 @@ private:
         std::uint32_t child[Boxes::most];  // a point, or `inner` and the distance to the child's node
         std::uint32_t plane[Boxes::most];  // the plane of all points below, if it is one and their only one; else none
         std::uint32_t count;
+        std::uint32_t cluster;  // none, or of which cluster the only box is; child[0] is the first of its items and child[1] the one behind the last
     };
     static constexpr std::uint32_t inner = 1u << 31;  // no point has such a number
     void build(std::size_t first, std::size_t last, unsigned threads, std::vector<Node>& nodes);
+    void enclose(std::size_t first, std::size_t last, double (&low)[3], double (&high)[3]) const;
     void split(std::size_t first, std::size_t middle, std::size_t last);
     static void addChild(Node& node, std::uint32_t child, const Node& below);
 
     std::vector<Item> items_;
     std::vector<Node> nodes_;
+    std::vector<Cluster> clusters_;
     std::vector<std::uint32_t> ranks_;
 };
 
@@ -133,7 +136,7 @@ template <class Visitor>
 void searchSphere(const Index& index, Sphere& sphere, std::uint32_t plane, Visitor& visitor) {
     const auto search = [&](auto&& reach) {
         visitor.begin(reach);
-        index.search(reach, plane, visitor);
+        index.search(sphere, reach, plane, visitor);
     };
     if (const FloatBall* ball = sphere.floatBall()) return search(FloatReach(*ball));
     sphere.computeBounds();
@@ -142,7 +145,7 @@ void searchSphere(const Index& index, Sphere& sphere, std::uint32_t plane, Visit
 }
 
 template <class SomeReach, class Visitor>
-void Index::search(SomeReach& reach, std::uint32_t plane, Visitor& visitor) const {
+void Index::search(Sphere& sphere, SomeReach& reach, std::uint32_t plane, Visitor& visitor) const {
     struct Waiting {
         const Node* node;
         Zone zone;
@@ -158,6 +161,10 @@ void Index::search(SomeReach& reach, std::uint32_t plane, Visitor& visitor) cons
         Zone zone[Boxes::most];
         double key[Boxes::most];
         reach.zones(node.boxes, node.count, zone, key);
+        if (node.cluster != none) {
+            if (zone[0] != Zone::beyond) clusters_[node.cluster].search(sphere, [&reach] { return reach.outer / reach.radius2; }, visitor);
+            continue;
+        }
         const int before = depth;
         for (std::uint32_t i = 0; i < node.count; ++i) {
             if (zone[i] == Zone::beyond || (zone[i] == Zone::far && node.plane[i] != none && node.plane[i] == plane)) continue;

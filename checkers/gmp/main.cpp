@@ -119,7 +119,7 @@ int run(const Options& options) {
     Malformed malformed;
     Unreadable unreadable;
     try {
-        readCertificate(check.certificate, options.certificate, options.complex);
+        readCertificate(check.certificate, options.certificate, options.complex, check.threads);
         // A thread takes longer to start than a small certificate to check.
         if (check.certificate.cells.size() + check.certificate.hanging.size() < fewForThreads) check.threads = 1;
         decide(check, options, outcome);

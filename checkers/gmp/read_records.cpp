@@ -199,8 +199,8 @@ void readEnd(Text& text, Certificate& c) {
 
 }  // namespace
 
-void readCertificate(Certificate& c, const std::string& path, const std::string& complexPath) {
-    Text text(path);
+void readCertificate(Certificate& c, const std::string& path, const std::string& complexPath, unsigned threads) {
+    Text text(path, threads > 1);
     readFirstLine(text);
     readComplex(text, c, complexPath);
     readClaims(text, c.claims);

@@ -117,6 +117,38 @@ double Sphere::relativePower() {
         mpz_mul(other_, other_, q_);
         mpz_mul(other_, other_, q_);
     }
+    return quotient();
+}
+
+// The vector from the centre to a point x is x - a - V / (2 D). Times 2 D it is an integer for each axis, or rounded down without a common
+// denominator; along each axis the nearer end of the box bounds it from below.
+bool Sphere::mayMeet(const ExactBox& box) {
+    makeExact();
+    mpz_set_ui(square_, 0);
+    for (int i = 0; i < 3; ++i)
+        for (const bool below : {true, false}) {  // the centre is below the box, or above it
+            const std::uint32_t x = below ? box.low[i] : box.high[i];
+            points_.difference(d_, x, origin_);
+            mpz_mul(value_, d_[i], denominator_);
+            mpz_mul_2exp(value_, value_, 1);
+            if (points_.hasCommon()) {
+                mpz_sub(value_, value_, v_[i]);
+                if (!below) mpz_neg(value_, value_);
+            } else {
+                mpz_mul(value_, value_, extra_);
+                mpz_submul(value_, v_[i], points_.weight(x));
+                if (!below) mpz_neg(value_, value_);
+                mpz_fdiv_q(value_, value_, points_.weight(x));
+            }
+            if (sign(value_) > 0) mpz_addmul(square_, value_, value_);
+        }
+    dot(other_, v_, v_);
+    return mpz_cmp(square_, other_) <= 0;
+}
+
+double Sphere::relativeGap() { return quotient(); }
+
+double Sphere::quotient() const {
     long exponent = 0, otherExponent = 0;
     const double mantissa = mpz_get_d_2exp(&exponent, square_), otherMantissa = mpz_get_d_2exp(&otherExponent, other_);
     const long difference = std::clamp(exponent - otherExponent, -2000L, 2000L);

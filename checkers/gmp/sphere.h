@@ -12,6 +12,11 @@
 
 __extension__ typedef __int128 Wide;  // squares of grid lengths
 
+// Points with the lowest and the highest coordinate along each axis, among those in the box.
+struct ExactBox {
+    std::uint32_t low[3], high[3];
+};
+
 class Sphere {
 public:
     // Without `normals` there is no float filter.
@@ -28,6 +33,11 @@ public:
     // After power(x): power / radius^2, rounded.
     double relativePower();
 
+    // False: all of the box is proved outside.
+    bool mayMeet(const ExactBox& box);
+    // After mayMeet(box): at most the square of the distance of the centre from the box / radius^2, rounded.
+    double relativeGap();
+
     // Conservative bounds on the grid of Points: the centre lies in [centre, centre + 2], the square of the radius is at most radius2.
     void computeBounds();
     bool boundsFit() const { return fits_; }  // in 64 and 128 bits; else only the long ones are set
@@ -40,6 +50,7 @@ private:
     void makeCell();
     void addOffset();
     void makeBall();
+    double quotient() const;  // square_ / other_
 
     const Certificate& c_;
     const Points& points_;

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "text.h"
 
-#include <openssl/crypto.h>
-#include <openssl/evp.h>
-
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <stdexcept>
 
 namespace {
 constexpr std::size_t longestLine = 1048576;  // bytes before the LF
@@ -26,32 +22,7 @@ constexpr std::array<std::uint8_t, 256> hexadecimalValues = [] {
 std::uint8_t hexadecimalValue(char c) { return hexadecimalValues[static_cast<std::uint8_t>(c)]; }
 }  // namespace
 
-// Without OpenSSL's configuration file and lists of algorithms: they take longer to read than a small certificate, and the file might put
-// something else in SHA-256's place.
-Sha256::Sha256() {
-    OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG | OPENSSL_INIT_NO_LOAD_CRYPTO_STRINGS | OPENSSL_INIT_NO_ADD_ALL_CIPHERS | OPENSSL_INIT_NO_ADD_ALL_DIGESTS,
-                        nullptr);
-    context_ = EVP_MD_CTX_new();
-    if (context_ == nullptr || EVP_DigestInit_ex(context_, EVP_sha256(), nullptr) != 1)
-        throw std::runtime_error("SHA-256 is not available");
-}
-Sha256::~Sha256() { EVP_MD_CTX_free(context_); }
-void Sha256::add(const char* bytes, std::size_t size) {
-    if (EVP_DigestUpdate(context_, bytes, size) != 1) throw std::runtime_error("SHA-256 failed");
-}
-std::string Sha256::hexadecimal() {
-    unsigned char bytes[EVP_MAX_MD_SIZE];
-    unsigned int size = 0;
-    if (EVP_DigestFinal_ex(context_, bytes, &size) != 1 || size != 32) throw std::runtime_error("SHA-256 failed");
-    std::string text;
-    for (unsigned int i = 0; i < size; ++i) {
-        text += "0123456789abcdef"[bytes[i] >> 4];
-        text += "0123456789abcdef"[bytes[i] & 15];
-    }
-    return text;
-}
-
-Text::Text(const std::string& path) : path_(path), source_(path) {}
+Text::Text(const std::string& path, bool threads) : path_(path), source_(path), threads_(threads), textDigest_(std::make_unique<Sha256>(threads)) {}
 
 void Text::failAt(const char* where, const char* code, const std::string& message) const {
     const auto column = static_cast<std::uint64_t>(where - (buffer_.data() + lineStart_)) + 1;
@@ -257,7 +228,7 @@ std::string Text::digestBeforeThisLine() {
 
 void Text::startComplex(const std::string& comparePath) {
     flush(buffer_.data() + lineStart_);
-    complexDigest_ = std::make_unique<Sha256>();
+    complexDigest_ = std::make_unique<Sha256>(threads_);
     compareLine_ = line_;
     if (comparePath.empty()) return;
     otherPath_ = comparePath;

@@ -2,6 +2,7 @@
 // Strict streaming reader of lines and fields (section 1 of the format).
 #pragma once
 
+#include "digest.h"
 #include "input.h"
 #include "points.h"
 
@@ -11,31 +12,15 @@
 #include <string_view>
 #include <vector>
 
-struct evp_md_ctx_st;
-
 struct Malformed {
     std::string file;
     std::uint64_t line, column;
     std::string code, message;
 };
 
-// SHA-256, incremental.
-class Sha256 {
-public:
-    Sha256();
-    ~Sha256();
-    Sha256(const Sha256&) = delete;
-    Sha256& operator=(const Sha256&) = delete;
-    void add(const char* bytes, std::size_t size);
-    std::string hexadecimal();
-
-private:
-    evp_md_ctx_st* context_ = nullptr;
-};
-
 class Text {
 public:
-    explicit Text(const std::string& path);
+    Text(const std::string& path, bool threads);  // threads: the digests may have some of their own
 
     // Lines.
     std::uint64_t line() const { return line_; }
@@ -90,7 +75,8 @@ private:
     const char* stop_ = nullptr;
     std::uint64_t line_ = 0;
 
-    std::unique_ptr<Sha256> textDigest_ = std::make_unique<Sha256>();  // until its value was asked for
+    const bool threads_;
+    std::unique_ptr<Sha256> textDigest_;  // until its value was asked for
     std::unique_ptr<Sha256> complexDigest_;
     std::unique_ptr<ByteSource> other_;
     std::string otherPath_;

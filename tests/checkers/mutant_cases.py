@@ -13,6 +13,7 @@ def write_for_mutants(m):
     write_planes(m)
     write_pairs(m)
     write_boxes(m)
+    write_details(m)
     write_pierced(m)
 
 
@@ -122,6 +123,26 @@ def write_pairs(m):
     huge = two_facets(m, flat, [(9, 0, 0), (13, 0, 0), (9, 4, 0)], offset)
     huge.vertices.append((10, 1, -1))
     m.reject("offset-huge", huge, "emptiness", "t 1 3 4 5 C" + offset, "cell-1-point-6", "an offset of -2^1100, which as a double is infinite, along (0,0,16)")
+
+
+def write_details(m):
+    """Many points in one cell of the grid, because another one is very far away; then the same without a common denominator."""
+    around = [(x, y, z) for z in (-3, 3) for y in range(-3, 6, 2) for x in range(-3, 6, 2)]
+    far = (2 ** 90, -2 ** 91, 2 ** 89)
+    for name, others in [("", [far]), ("weights-", [far] + [(Q(2 ** 90 + 3 * k, 10 ** 40 + 7919 * k), 6, 5) for k in range(12)])]:
+        c = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=around + others)
+        for place, where, just in [(20, (2, 4, 2), (2, 4, 2 + Q(1, 2 ** 90))), (40, (2, 0, -2), (2, 0, -2 - Q(1, 2 ** 90)))]:
+            c.vertices[place] = just
+            m.accept("detail-%s%d-just-outside" % (name, place), c, "a point by 2^-90 outside the sphere, among many in one cell of the grid")
+            c.vertices[place] = where
+            m.reject("detail-%s%d-on" % (name, place), c, "emptiness", "t 0 0 1 2 C", "cell-0-point-%d" % place, "the same exactly on the sphere")
+            c.vertices[place] = (8, 8, place)
+        c = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=[(0, 0, 5), (0, 0, 9)] + around + others, segments=[(3, 4)])
+        c.vertices[21] = (0, 2, 7 + Q(1, 2 ** 90))
+        c.hanging = [(3, 3, 4)]
+        m.accept("detail-%shanging-just-outside" % name, c, "a vertex by 2^-90 outside the ball of a hanging edge, among many in one cell of the grid")
+        c.vertices[21] = (0, 2, 7)
+        m.reject("detail-%shanging-on" % name, c, "hanging", "h 3 3 4", "subsegment-0-point-21", "the same exactly on the ball")
 
 
 def write_boxes(m):

@@ -12,7 +12,7 @@ set_tests_properties(checker.typed_mutations PROPERTIES LABELS checker TIMEOUT 6
 # The float filter never contradicts the integers.
 set(CONFIDEL_CHECK_SOURCE ${PROJECT_SOURCE_DIR}/checkers/gmp)
 add_executable(filter-consistency ${CMAKE_CURRENT_LIST_DIR}/filter/consistency.cpp ${CONFIDEL_CHECK_SOURCE}/points.cpp
-  ${CONFIDEL_CHECK_SOURCE}/sphere.cpp ${CONFIDEL_CHECK_SOURCE}/filter.cpp ${CONFIDEL_CHECK_SOURCE}/index.cpp)
+  ${CONFIDEL_CHECK_SOURCE}/sphere.cpp ${CONFIDEL_CHECK_SOURCE}/filter.cpp ${CONFIDEL_CHECK_SOURCE}/cluster.cpp ${CONFIDEL_CHECK_SOURCE}/index.cpp)
 target_include_directories(filter-consistency PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(filter-consistency PRIVATE PkgConfig::GMPXX Threads::Threads)
 add_test(NAME checker.filter COMMAND filter-consistency)

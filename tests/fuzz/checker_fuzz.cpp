@@ -30,7 +30,7 @@ void checkText(const std::string& text) {
     check.threads = 1;
     Outcome outcome;
     try {
-        readCertificate(check.certificate, options.certificate, options.complex);
+        readCertificate(check.certificate, options.certificate, options.complex, 2);
         decide(check, options, outcome);
     } catch (const Malformed& malformed) {
         if (malformed.code.empty() || malformed.line == 0) std::abort();
@@ -47,7 +47,7 @@ std::string withDigest(const std::string& text) {
     if (line == std::string::npos) return "";
     const std::size_t field = text.rfind(' ');
     if (field <= line + 4) return "";
-    Sha256 digest;
+    Sha256 digest(false);
     digest.add(text.data(), line + 1);
     return text.substr(0, field + 1) + digest.hexadecimal() + "\n";
 }

@@ -43,7 +43,7 @@ Place cross(const Place& a, const Place& b) {
 // Rounded up and down far more finely than any room that the filter leaves.
 mpf_class root(const mpq_class& square) { return sqrt(mpf_class(square, 4096)); }
 
-long failures = 0, tested = 0, decided = 0, inDoubt = 0, clear = 0, clearDecided = 0, orientations = 0, orientationsDecided = 0;
+long failures = 0, tested = 0, decided = 0, inDoubt = 0, clear = 0, clearDecided = 0, visited = 0, detailed = 0, detailedVisited = 0, orientations = 0, orientationsDecided = 0;
 double mostRoom[3] = {0, 0, 0};  // of cells, cells with an offset, subsegments: the part that was needed of what there was
 
 void fail(const char* what) {
@@ -134,13 +134,38 @@ public:
 
 private:
     struct Seen {
-        void begin(Reach& reach) { reach.setOuter(0, false); }
+        void begin(Reach& reach) { reach.setOuter(outer, outer > 0); }
         void near(std::uint32_t x) { points.push_back(x); }
-        void far(std::uint32_t) {}
-        std::vector<std::uint32_t> points;
+        void far(std::uint32_t x) {
+            if (outer <= 0) fail("a far point is not wanted");
+            others.push_back(x);
+        }
+        double outer;
+        std::vector<std::uint32_t> points, others;
     };
 
+    // The search passes over what is outside, and, if that is wanted, over what has a greater power relative to the square of the radius.
+    void testSearch(Sphere& sphere, const Place& centre, const mpq_class& radius2) {
+        Seen seen;
+        seen.outer = below(2) == 0 ? 0 : std::ldexp(static_cast<double>(1 + below(1000)), -static_cast<int>(below(24)));
+        searchSphere(*index, sphere, none, seen);
+        std::sort(seen.points.begin(), seen.points.end());
+        std::sort(seen.others.begin(), seen.others.end());
+        const mpq_class most = mpq_class(seen.outer) * radius2;
+        for (std::uint32_t x = 0; x < places.size(); ++x) {
+            const Place d = places[x] - centre;
+            const mpq_class power = dot(d, d) - radius2;
+            if (sphere.power(x) != sgn(power)) fail("an exact power");
+            if (std::binary_search(seen.points.begin(), seen.points.end(), x)) continue;
+            ++decided;
+            if (sgn(power) <= 0) fail("a point in or on the ball is taken to be outside");
+            if (power <= most && !std::binary_search(seen.others.begin(), seen.others.end(), x)) fail("a point that is near enough is not seen");
+        }
+        visited += static_cast<long>(seen.points.size());
+    }
+
     void testBall(Sphere& sphere, const Place& centre, const mpq_class& radius2, int kind) {
+        testSearch(sphere, centre, radius2);
         const FloatBall* ball = sphere.floatBall();
         if (ball == nullptr) {
             ++inDoubt;
@@ -155,17 +180,6 @@ private:
         // What the ball is larger by, and how much of it is needed.
         const mpf_class smallest = root(radius2 * unit * unit) - root(dot(moved, moved));
         if (smallest < there) mostRoom[kind] = std::max(mostRoom[kind], mpf_class((needed - smallest) / (there - smallest)).get_d());
-        Seen seen;
-        searchSphere(*index, sphere, none, seen);
-        std::sort(seen.points.begin(), seen.points.end());
-        for (std::uint32_t x = 0; x < places.size(); ++x) {
-            const Place d = places[x] - centre;
-            const mpq_class power = dot(d, d) - radius2;
-            if (sphere.power(x) != sgn(power)) fail("an exact power");
-            if (std::binary_search(seen.points.begin(), seen.points.end(), x)) continue;
-            ++decided;
-            if (sgn(power) <= 0) fail("a point in or on the ball is taken to be outside");
-        }
     }
 
     Certificate certificate;
@@ -241,6 +255,33 @@ void onSpheres() {
     if (sgn(offset) != 0) other.testCell(&offset);
 }
 
+// A detail with many points in one cell of the grid, or in a few: images on a sphere, and points beside it.
+void details() {
+    const int size = static_cast<int>(4 + below(30));
+    std::vector<Place> places = sphereOfImages(size), images = places;
+    places[2] = mpq_class(-1) * places[0];
+    const long unit = 1 + below(1L << std::max(1, size - 4));
+    for (int k = 0; k < 3; ++k)
+        for (Place p : images) {
+            p.x[below(3)] += quotient((below(2) != 0 ? 1 : -1) * unit, 1 + 2 * below(2));
+            places.push_back(p);
+        }
+    for (int k = 0; k < 600; ++k) places.push_back({{bits(size + 3), bits(size + 3), bits(size + 3)}});
+    addExtent(places, size + (below(4) == 0 ? 40 : 56) + static_cast<int>(below(20)));
+    if (below(4) == 0) places.push_back(anywhere(30));  // weights of their own
+    move(places, anyScale(), anywhere(static_cast<int>(below(60))));
+    const long before = visited;
+    Case test(places);
+    const mpq_class offset = quotient(1 + below(1000), 1 + below(1000)) * (below(2) != 0 ? 1 : -1);
+    test.testCell(nullptr);
+    test.testSubsegment(0, 2);
+    detailed += 2 * static_cast<long>(places.size());
+    detailedVisited += visited - before;
+    test.testCell(&offset);
+    test.testSubsegment(1, static_cast<std::uint32_t>(3 + below(40)));
+    test.testSubsegment(1, static_cast<std::uint32_t>(places.size() - 1));
+}
+
 void slivers() {
     const int size = static_cast<int>(20 + below(40)), height = static_cast<int>(1 + below(size));
     std::vector<Place> places{anywhere(10), {{bits(size), bits(size), bits(size)}}, {}};
@@ -311,6 +352,7 @@ int main(int count, char** arguments) {
         onSpheres();
         slivers();
         roundings();
+        if (k % 16 == 0) details();
     }
     for (long k = 0; k < cases; ++k) farCentres();
     std::printf("%ld balls, %ld in doubt, %ld of %ld clear ones decided; %ld points decided; %ld of %ld orientations decided\n", tested, inDoubt, clearDecided, clear,
@@ -319,6 +361,8 @@ int main(int count, char** arguments) {
     // Otherwise a bound that is too small might stay unnoticed.
     if (mostRoom[0] < 0.5 || mostRoom[2] < 0.7) fail("the room of the balls is never used");
     if (clear < cases / 2 || clearDecided != clear) fail("the filter does not decide what is clear");
+    std::printf("details: %ld of %ld points visited\n", detailedVisited, detailed);
+    if (detailedVisited > detailed * 2 / 3) fail("the search in a detail does not pass over what is outside");
     std::printf("%ld failures\n", failures);
     return failures == 0 ? 0 : 1;
 }

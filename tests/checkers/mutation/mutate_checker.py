@@ -37,7 +37,7 @@ SOURCE = places.SOURCE
 CERTIFICATES = os.path.normpath(os.path.join(HERE, "..", "..", "certificates"))
 EQUIVALENT = os.path.join(HERE, "equivalent.tsv")
 FILTER_TEST = os.path.join(HERE, "..", "filter", "consistency.cpp")
-FILTER_SOURCES = ("points.cpp", "sphere.cpp", "filter.cpp", "index.cpp")  # as in tests/checkers/tests.cmake
+FILTER_SOURCES = ("points.cpp", "sphere.cpp", "filter.cpp", "cluster.cpp", "index.cpp")  # as in tests/checkers/tests.cmake
 sys.path[:0] = [os.path.join(HERE, "..", "verified")]
 import mutants as certificate_mutants
 
