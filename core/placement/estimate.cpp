@@ -13,7 +13,7 @@ namespace {
 
 // docs/results.md shows the estimate beside the result.
 constexpr double points_per_row_unit = 0.3;
-constexpr double points_per_facet_unit = 1.0;
+constexpr double points_per_facet_unit = 0.2;
 constexpr int descents = 600;
 constexpr int greatest_depth = 60;
 constexpr double tiny = 1e-30;
@@ -247,17 +247,14 @@ struct FacetPiece {
       return;
     }
     double distance = context->surroundings.off_plane(x, facet);
-    // Inside a strip of width d the density is that at its rim; inside a ball likewise.
-    double factor = 1;
     if (const SegmentId nearest = context->surroundings.nearest_own_segment(x, facet); nearest >= 0) {
       const auto [a, b] = context->complex.segments[nearest];
       const Double3 p = context->complex.vertices[a].approximate(), q = context->complex.vertices[b].approximate();
-      // Near a sharp edge, up to about the balls' radii, aligned rows let triangles be larger than the distance.
-      const double reach = std::max(context->sizes.offset[nearest], std::min(context->sizes.radius[a], context->sizes.radius[b]));
-      factor = std::max({factor, reach / std::max(distance_to_segment(x, p, q), tiny), context->sizes.radius[a] / std::max(length(x - p), tiny),
-                         context->sizes.radius[b] / std::max(length(x - q), tiny)});
+      // Inside a strip of width d the density is that at its rim; inside a ball likewise.
+      distance *= std::max({1.0, context->sizes.offset[nearest] / std::max(distance_to_segment(x, p, q), tiny),
+                            context->sizes.radius[a] / std::max(length(x - p), tiny), context->sizes.radius[b] / std::max(length(x - q), tiny)});
     }
-    distance = std::max(distance * factor, tiny);
+    distance = std::max(distance, tiny);
     const double area = 0.5 * length(cross(t[1] - t[0], t[2] - t[0]));
     mass = area / (distance * distance);
     small = std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])}) <= distance;

@@ -54,6 +54,12 @@ def check_estimate(programs, folder):
         match = re.match(r"s UNDECIDED max-points reached=(\d+) estimate=(\d+)$", last_line(text))
         programs.expect(code == 3 and match and int(match.group(2)) > points // 4, "%s: no estimate: %r" % (path, last_line(text)))
         os.unlink(out)
+    # Found by `confidel falsify estimate`: sheets 0.2 degrees apart, an edge between them with a narrow strip. It passes 4 million points.
+    with open(sharp, "w") as file:
+        file.write("OFF\n5 4 0\n-21 34 35\n62 -16 49\n-30 29 39\n8 -4 51\n-32 -12 62\n3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 2\n")
+    code, text, _ = programs.run("conform", sharp, "-o", out, *GRADED, "--max-points", 1000000)
+    match = re.match(r"s UNDECIDED max-points reached=(\d+) estimate=(\d+)$", last_line(text))
+    programs.expect(code == 3 and match and int(match.group(1)) < 100000 and int(match.group(2)) > 4000000, "fan: the estimate is too low: %r" % last_line(text))
     os.unlink(sharp)
 
 
