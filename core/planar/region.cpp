@@ -34,6 +34,8 @@ using Edge = Triangulation::Edge;
 
 }  // namespace
 
+constexpr std::size_t beyond_cache = 10000;  // vertices, of more than a kilobyte each
+
 // Places on a curve that stays in one octant of the box, and of each part of it, before it goes to the next (Morton order).
 struct Box {
   Double3 low, high;
@@ -253,10 +255,10 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
   auto& t = self.triangulation;
   Refinement result;
   const bool ruppert = environment.boundary_gives_way();
-  // Greatest circumradius first (approximate: it only steers), up to a factor of 2: among those of one size neighbours follow each other, so that
-  // they find what they need in the cache. Ties by vertex numbers.
+  // Greatest circumradius first (approximate: it only steers). In a region that is larger than the cache only up to a factor of 2: triangles of one
+  // size follow their neighbours, so that they find what they need there. Ties by vertex numbers.
   const Box box = self.box();
-  using Entry = std::tuple<int, std::uint64_t, int, int, int>;
+  using Entry = std::tuple<double, std::uint64_t, int, int, int>;
   std::priority_queue<Entry> queue;
   const auto push = [&](FaceHandle f) {
     const Point &a = self.point(f->vertex(0)), &b = self.point(f->vertex(1)), &c = self.point(f->vertex(2));
@@ -269,7 +271,8 @@ Region::Refinement Region::refine(RegionEnvironment& environment) {
     std::array<int, 3> v{first, second, third};
     std::rotate(v.begin(), std::min_element(v.begin(), v.end()), v.end());
     const double size = area > 0 ? x * y * z / area : 1e300;
-    queue.emplace(std::ilogb(size), box.place(a), -v[0], -v[1], -v[2]);
+    if (self.vertices.size() < beyond_cache) queue.emplace(size, 0, -v[0], -v[1], -v[2]);
+    else queue.emplace(std::ldexp(1.0, std::ilogb(size)), box.place(a), -v[0], -v[1], -v[2]);
   };
   const auto examine = [&](FaceHandle f) {
     FaceInfo& info = f->info();

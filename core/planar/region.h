@@ -66,7 +66,7 @@ class Region {
     /// A circumcentre rounded onto an existing vertex: the tolerance is too coarse for this input.
     bool stuck = false;
   };
-  /// Rule (iii): inserts circumcentres of encroached triangles, greatest first, until every triangle is free or blocked.
+  /// Rule (iii): inserts circumcentres of encroached triangles, greatest first (in large regions up to a factor of 2), until every triangle is free or blocked.
   /// Each triangle is asked about once completely, and after that (with only_new) on every further call.
   /// New points live in the region.
   Refinement refine(RegionEnvironment& environment);
