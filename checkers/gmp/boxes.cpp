@@ -4,12 +4,8 @@
 #include <algorithm>
 
 GridBox boxOf(const Points& points, std::initializer_list<std::uint32_t> of, std::uint32_t id) {
-    GridBox box;
-    for (int i = 0; i < 3; ++i) {
-        box.low[i] = std::numeric_limits<std::int64_t>::max();
-        box.high[i] = std::numeric_limits<std::int64_t>::min();
-    }
-    box.id = id;
+    using Limits = std::numeric_limits<std::int64_t>;
+    GridBox box{{Limits::max(), Limits::max(), Limits::max()}, {Limits::min(), Limits::min(), Limits::min()}, id};
     for (const std::uint32_t p : of) box.add(points, p);
     return box;
 }
@@ -28,10 +24,7 @@ Wide gridSquare(const Points& points, const Rational& square) {
     Whole bound;
     mpz_cdiv_q(bound.get_mpz_t(), numerator.get_mpz_t(), denominator.get_mpz_t());
     if (mpz_sizeinbase(bound.get_mpz_t(), 2) > 119) return unboundedGap;
-    const Whole high = bound >> 64;
-    Wide result = static_cast<Wide>(high.get_ui()) << 64;
-    mpz_fdiv_r_2exp(bound.get_mpz_t(), bound.get_mpz_t(), 64);
-    return result + static_cast<Wide>(bound.get_ui());
+    return static_cast<Wide>(mpz_getlimbn(bound.get_mpz_t(), 1)) << 64 | mpz_getlimbn(bound.get_mpz_t(), 0);
 }
 
 Wide scaledGap(Wide gap, double factor) {

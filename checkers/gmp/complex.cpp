@@ -134,7 +134,6 @@ private:
             dot(value, normal, w);
             if (sign(value) != 0) outside.push_back(vertex);
         }
-        if (outside.empty()) return;
         // The record at fault is the first one that names a vertex outside the plane.
         const auto isOutside = [this](std::uint32_t v) { return std::binary_search(outside.begin(), outside.end(), v); };
         const auto offer = [&](std::uint64_t line, std::uint32_t v) {
@@ -239,15 +238,13 @@ private:
         mpz_set_ui(scale, 1);
         if (!c.points.hasCommon()) {
             mpz_set(scale, c.points.weight(origin));
-            mpz_gcd(w[0], scale, value);
-            mpz_divexact(scale, scale, w[0]);
-            mpz_divexact(value, value, w[0]);
+            mpz_gcd(divisor, scale, value);
+            mpz_divexact(scale, scale, divisor);
+            mpz_divexact(value, value, divisor);
         }
         std::string key;
         for (const mpz_srcptr part : {mpz_srcptr(normal[0]), mpz_srcptr(normal[1]), mpz_srcptr(normal[2]), mpz_srcptr(value), mpz_srcptr(scale)}) {
-            std::string digits(mpz_sizeinbase(part, 62) + 2, '\0');
-            mpz_get_str(digits.data(), 62, part);
-            key += digits.c_str();
+            key += Whole(part).get_str(62);
             key += ' ';
         }
         return key;
@@ -257,7 +254,7 @@ private:
     Earliest earliest;
     std::vector<std::uint32_t> occurring, starts, ends, tied, outside;
     Vector u, w, normal;
-    Integer value, scale;
+    Integer value, scale, divisor;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -11,9 +12,9 @@ template <class Item, class Key>
 std::vector<std::size_t> groupByKey(std::vector<Item>& items, std::size_t keys, const Key& key) {
     std::vector<std::size_t> first(keys + 1, 0);
     for (const Item& item : items) ++first[key(item) + 1];
-    for (std::size_t k = 0; k < keys; ++k) first[k + 1] += first[k];
+    std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<Item> grouped(items.size());
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    std::vector<std::size_t> next = first;
     for (const Item& item : items) grouped[next[key(item)]++] = item;
     items = std::move(grouped);
     return first;

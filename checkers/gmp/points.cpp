@@ -2,6 +2,7 @@
 #include "points.h"
 
 #include <algorithm>
+#include <optional>
 
 void dot(mpz_ptr result, const Vector& a, const Vector& b) {
     mpz_mul(result, a[0], b[0]);
@@ -28,20 +29,16 @@ void IntegerStore::append(const mp_limb_t* limbs, int size) {
         entries_.push_back({&zero, 0});
         return;
     }
-    const std::size_t count = static_cast<std::size_t>(size < 0 ? -size : size);
-    if (chunkUsed_ + count > chunkSize_ || chunks_.empty()) {
-        // Chunks grow with what has been stored, so that small files stay small.
-        chunkSize_ = std::max(count, std::clamp<std::size_t>(2 * chunkSize_, 256, std::size_t{1} << 17));
-        chunks_.push_back(std::make_unique<mp_limb_t[]>(chunkSize_));
-        chunkUsed_ = 0;
-    }
-    mp_limb_t* target = chunks_.back().get() + chunkUsed_;
-    std::copy(limbs, limbs + count, target);
-    chunkUsed_ += count;
-    entries_.push_back({target, size});
+    const auto count = static_cast<std::size_t>(std::abs(size));
+    const std::size_t last = chunks_.empty() ? 0 : chunks_.back().capacity();
+    // Chunks grow with what has been stored, so that small files stay small.
+    if (chunks_.empty() || last - chunks_.back().size() < count) chunks_.emplace_back().reserve(std::max(count, std::clamp<std::size_t>(2 * last, 256, std::size_t{1} << 17)));
+    std::vector<mp_limb_t>& chunk = chunks_.back();
+    entries_.push_back({chunk.data() + chunk.size(), size});
+    chunk.insert(chunk.end(), limbs, limbs + count);
 }
 void IntegerStore::append(mpz_srcptr value) {
-    append(mpz_limbs_read(value), sign(value) < 0 ? -static_cast<int>(mpz_size(value)) : static_cast<int>(mpz_size(value)));
+    append(mpz_limbs_read(value), sign(value) * static_cast<int>(mpz_size(value)));
 }
 
 // Looks for a common denominator that does not make the coordinates much longer than they are in the file.
@@ -134,19 +131,17 @@ void Points::makeGrid() {
     grid_.resize(count);
     Vector d;
     Integer scale, scaled;
-    long bits = 0;
-    bool any = false;
+    std::optional<long> bits;
     for (std::uint32_t p = 0; p < count; ++p) {
         difference(d, p, 0);
         differenceScale(scale, p, 0);
         for (int axis = 0; axis < 3; ++axis) {
             if (sign(d[axis]) == 0) continue;
             const long size = static_cast<long>(mpz_sizeinbase(d[axis], 2)) - static_cast<long>(mpz_sizeinbase(scale, 2)) + 1;
-            bits = any ? std::max(bits, size) : size;
-            any = true;
+            bits = std::max(bits.value_or(size), size);
         }
     }
-    shift_ = wanted - bits;
+    shift_ = wanted - bits.value_or(0);
     for (std::uint32_t p = 0; p < count; ++p) {
         difference(d, p, 0);
         differenceScale(scale, p, 0);

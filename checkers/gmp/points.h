@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -23,9 +24,9 @@ struct Integer {
 inline int sign(mpz_srcptr a) { return mpz_sgn(a); }
 
 struct Vector {
-    Integer component[3];
-    Integer& operator[](int axis) { return component[axis]; }
-    const Integer& operator[](int axis) const { return component[axis]; }
+    std::array<Integer, 3> component;
+    Integer& operator[](int axis) { return component[static_cast<std::size_t>(axis)]; }
+    const Integer& operator[](int axis) const { return component[static_cast<std::size_t>(axis)]; }
 };
 void dot(mpz_ptr result, const Vector& a, const Vector& b);
 void cross(Vector& result, const Vector& a, const Vector& b);  // result is neither a nor b
@@ -37,7 +38,7 @@ public:
     void append(const mp_limb_t* limbs, int size);  // size < 0: negative, as in GMP
     void append(mpz_srcptr value);
     std::size_t size() const { return entries_.size(); }
-    std::size_t limbs(std::size_t i) const { return static_cast<std::size_t>(entries_[i].size < 0 ? -entries_[i].size : entries_[i].size); }
+    std::size_t limbs(std::size_t i) const { return static_cast<std::size_t>(std::abs(entries_[i].size)); }
     friend class View;
 
 private:
@@ -46,8 +47,7 @@ private:
         std::int32_t size;
     };
     std::vector<Entry> entries_;
-    std::vector<std::unique_ptr<mp_limb_t[]>> chunks_;
-    std::size_t chunkUsed_ = 0, chunkSize_ = 0;
+    std::vector<std::vector<mp_limb_t>> chunks_;  // none of them grows beyond its capacity: limbs stay where they are
 };
 
 class View {

@@ -25,11 +25,9 @@ std::uint32_t Shapes::cellAt(std::uint32_t facet, std::uint32_t from, std::uint3
     return found != last && found->facet == facet && found->to == to ? found->cell : none;
 }
 
-// The segment that carries x, if it is a boundary edge or inner constraint of the facet.
-std::uint32_t Shapes::segmentOf(std::uint32_t facet, std::uint32_t x) const {
-    if (x < c_.vertexCount || !onSegment(kindOf(x))) return none;
-    const std::uint32_t segment = c_.steiner[x - c_.vertexCount].carrier;
-    return c_.role(facet, segment) != 0 ? segment : none;
+// The segment that carries x, if one does. (By rule `cell` a corner's segment belongs to the cell's facet.)
+std::uint32_t Shapes::segmentOf(std::uint32_t x) const {
+    return x < c_.vertexCount || !onSegment(kindOf(x)) ? none : c_.steiner[x - c_.vertexCount].carrier;
 }
 
 bool Shapes::triangle(std::size_t t) {
@@ -40,8 +38,8 @@ bool Shapes::triangle(std::size_t t) {
         const std::uint32_t v = corner(t, 0), one = corner(t, 1), two = corner(t, 2);
         const std::uint32_t m = isSteiner(one, PointKind::projection) ? one : two, a = m == one ? two : one;
         if (!isSteiner(m, PointKind::projection) || !isSteiner(a, PointKind::offset)) return false;
-        const std::uint32_t segment = segmentOf(cell.facet, m);
-        if (segment == none || (c_.segments[segment].first != v && c_.segments[segment].second != v)) return false;
+        const Pair ends = c_.segments[segmentOf(m)];
+        if (ends.first != v && ends.second != v) return false;
         const Frame f(c_, {m, v, a});
         return sgn(Whole(f[1] * f[2])) == 0;
     }
@@ -75,8 +73,8 @@ bool Shapes::rectangle(std::size_t t) {
     for (int i = 0; i < 4; ++i) {
         Box box{static_cast<std::uint32_t>(t), {}};
         for (int k = 0; k < 4; ++k) box.corner[k] = ring[(i + k) % 4];
-        const std::uint32_t segment = segmentOf(cell.facet, box.corner[0]);
-        if (segment == none || segmentOf(cell.facet, box.corner[1]) != segment || !isSteiner(box.corner[2], PointKind::offset) ||
+        const std::uint32_t segment = segmentOf(box.corner[0]);
+        if (segment == none || segmentOf(box.corner[1]) != segment || !isSteiner(box.corner[2], PointKind::offset) ||
             !isSteiner(box.corner[3], PointKind::offset))
             continue;
         boxNumber_[t] = boxNumber_[t + 1] = static_cast<std::uint32_t>(boxes.size());
@@ -92,18 +90,20 @@ bool Shapes::ordinary(std::size_t t) const {
     });
 }
 
+bool Shapes::isOfItsKind(std::size_t t) {
+    switch (c_.cells[t].kind) {
+        case 'T': return triangle(t);
+        case 'S': return spoke(t);
+        case 'R': return boxNumber_[t] != none || rectangle(t);
+        default: return ordinary(t);
+    }
+}
+
 std::optional<Violation> Shapes::test(bool fans) {
     Earliest earliest;
     for (std::size_t t = 0; t < c_.cells.size(); ++t) {
         const Cell& cell = c_.cells[t];
-        bool good = false;
-        switch (cell.kind) {
-            case 'T': good = triangle(t); break;
-            case 'S': good = spoke(t); break;
-            case 'R': good = boxNumber_[t] != none || rectangle(t); break;
-            default: good = ordinary(t);
-        }
-        if (!good) return Violation{c_.cellLine + t, objectName("cell", t, "kind")};
+        if (!isOfItsKind(t)) return Violation{c_.cellLine + t, objectName("cell", t, "kind")};
         if (cell.offset != none) return Violation{c_.cellLine + t, objectName("cell", t, "offset")};
     }
     if (fans) findFans(earliest);
@@ -131,7 +131,7 @@ void Shapes::findFans(Earliest& earliest) {
             closing_[t] = none;  // met again: the S cells go round in a circle
             path.push_back(t);
             const std::uint32_t next = cellAt(c_.cells[t].facet, corner(t, 0), corner(t, 2));
-            if (next == none || (c_.cells[next].kind != 'S' && c_.cells[next].kind != 'T') || corner(next, 0) != corner(t, 0)) break;
+            if (next == none) break;  // a cell with v as a corner is an S or T cell, and v is its only vertex
             t = next;
         }
         for (const std::uint32_t passed : path) closing_[passed] = end;

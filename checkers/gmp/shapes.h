@@ -42,11 +42,12 @@ private:
     };
     PointKind kindOf(std::uint32_t x) const { return c_.steiner[x - c_.vertexCount].kind; }
     bool isSteiner(std::uint32_t x, PointKind kind) const { return x >= c_.vertexCount && kindOf(x) == kind; }
+    bool isOfItsKind(std::size_t t);
     bool triangle(std::size_t t);
     bool spoke(std::size_t t);
     bool rectangle(std::size_t t);
     bool ordinary(std::size_t t) const;
-    std::uint32_t segmentOf(std::uint32_t facet, std::uint32_t x) const;
+    std::uint32_t segmentOf(std::uint32_t x) const;
     void findFans(Earliest& earliest);
 
     const Certificate& c_;

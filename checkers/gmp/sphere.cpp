@@ -167,13 +167,12 @@ void Sphere::computeBounds() {
         mpz_fdiv_q(longCentre[i], value_, square_);
         if (mpz_cmpabs_ui(longCentre[i], static_cast<unsigned long>(largest)) >= 0) fits_ = false;
     }
-    // The sphere passes through its first corner. So with [floor, floor + 1] around each component of
-    // centre - corner, the larger end bounds the radius.
+    // The sphere passes through its first corner, and each component of centre - corner is in [floor, floor + 1]: its size is at most |floor| + 1.
     if (fits_) {
         radius2 = 0;
         for (int i = 0; i < 3; ++i) {
             const std::int64_t floor = mpz_get_si(longCentre[i]);
-            const Wide reach = floor >= 0 ? floor + 1 : -floor;
+            const Wide reach = std::abs(floor) + 1;
             radius2 += reach * reach;
             centre[i] = start[static_cast<std::size_t>(i)] + floor;
         }
@@ -181,8 +180,8 @@ void Sphere::computeBounds() {
     }
     mpz_set_ui(longRadius2, 0);
     for (int i = 0; i < 3; ++i) {
-        mpz_set(value_, longCentre[i]);
-        if (sign(value_) >= 0) mpz_add_ui(value_, value_, 1);
+        mpz_abs(value_, longCentre[i]);
+        mpz_add_ui(value_, value_, 1);
         mpz_addmul(longRadius2, value_, value_);
         mpz_set_si(value_, start[static_cast<std::size_t>(i)]);
         mpz_add(longCentre[i], longCentre[i], value_);

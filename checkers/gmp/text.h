@@ -45,7 +45,7 @@ public:
     void slash();
     bool atEnd() const { return cursor_ == stop_; }
     void finish();
-    std::string_view rest();            // text of single spaces and printable characters, up to the end
+    std::string_view rest();            // behind a space: text of single spaces and printable characters, up to the end
     const char* mark() const { return cursor_; }
     const char* lineStart() const { return buffer_.data() + lineStart_; }
     void rewind(const char* to) { cursor_ = to; }  // to a mark on the same line
@@ -70,7 +70,7 @@ private:
     ByteSource source_;
     std::vector<char> buffer_;
     std::size_t lineStart_ = 0, lineStop_ = 0, filled_ = 0, flushed_ = 0, chunk_ = 0;
-    bool sourceDone_ = false, started_ = false;
+    bool started_ = false;
     const char* cursor_ = nullptr;
     const char* stop_ = nullptr;
     std::uint64_t line_ = 0;
