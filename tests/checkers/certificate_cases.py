@@ -6,6 +6,8 @@ from claim_cases import write_claims
 from malformed_cases import write_malformed
 from mutant_cases import write_for_mutants
 from refutation_cases import write_refutations
+from facet_cases import write_facets
+from text_cases import write_text
 
 
 def write_all(m):
@@ -18,6 +20,8 @@ def write_all(m):
     write_claims(m)
     write_refutations(m)
     write_for_mutants(m)
+    write_text(m)
+    write_facets(m)
 
 
 def write_accepted(m):

@@ -3,7 +3,7 @@
 """Runs a checker on all test certificates: run_certificates.py CHECKER [--no-mutations | --command-line [--no-frames] [--until-failure]] [--record-reports]
 
 Compares the exit code and the last line (or the error's code and line) with MANIFEST.tsv; checks that manifest,
-folder and generator agree; compares reports with REPORTS.tsv; tries the command line (with --command-line that alone, for mutants of the checker); and changes each byte of the worked example.
+folder and generator agree; compares reports, and the columns and messages of errors, with REPORTS.tsv; tries the command line (with --command-line that alone, for mutants of the checker); and changes each byte of the worked example.
 """
 import filecmp
 import json
@@ -100,10 +100,19 @@ def reported(checker, path, threads):
     return "\t".join([path, json.dumps(report["rules"]), json.dumps(report.get("coplanar")), json.dumps(report.get("smallest-relative-power")), *claims])
 
 
+def complained(checker, path):
+    """The column and the message of an error. What libzstd says, and where it notices, is its own affair."""
+    full = os.path.join(CERTIFICATES, path)
+    match = re.match(re.escape(full) + r":\d+:(\d+): error\[(E-[A-Z]+)\]: (.*)", run(checker, full)[2])
+    own = match and (match.group(2) != "E-ZSTD" or "zstd frame" in match.group(3))
+    return "\t".join([path, *((match.group(1), match.group(3)) if own else ())])
+
+
 def check_reports(checker, cases):
     """Nobody's verdict rests on these numbers, but they are shown to people: a change has to be looked at. --record-reports writes REPORTS.tsv again."""
     produced = sorted(os.path.join("produced", name) for name in os.listdir(os.path.join(CERTIFICATES, "produced")))
     lines = [reported(checker, path, "1") for path in [case[0] for case in cases if case[1] in (0, 1)] + produced]
+    lines += [complained(checker, case[0]) for case in cases if case[1] == 2]
     if "--record-reports" in sys.argv:
         with open(os.path.join(CERTIFICATES, "REPORTS.tsv"), "w") as out:
             out.write("".join(line + "\n" for line in lines))
@@ -160,6 +169,17 @@ def check_command_line(checker):
             expect(got[0] == code and (line is None or last_line(got[1]) == line), "%s: %d %s" % (arguments, got[0], last_line(got[1])))
             if code == 2:
                 expect("error[E-USAGE]: " in got[2], "%s: no E-USAGE" % (arguments,))
+        # A line that never ends is declined before it is read.
+        got = run(checker, os.path.join(CERTIFICATES, "decline", "line-endless.cert"), "--memory-limit", "8M")
+        expect(got[0] == 3 and last_line(got[1]) == "s UNDECIDED too-large", "an endless line: %d %s" % (got[0], last_line(got[1])))
+        # Damage of the file given by --complex: the first block ends in its line 4, or everything is there, and more.
+        frame = lambda blocks: b"\x28\xb5\x2f\xfd\x00\x38" + b"".join((len(block) << 3 | last).to_bytes(3, "little") + block for block, last in blocks)
+        part = block[:block.index(b"v 4")]
+        for data, line in ((frame([(part, 0)]), part.count(b"\n") + 1), (frame([(block, 1)]) + b"\n", block.count(b"\n") + 1)):
+            path = file("damaged", data)
+            got = run(checker, worked, "--complex", path)
+            expect(got[0] == 2 and got[2].startswith("%s:%d:1: error[E-ZSTD]: " % (path, line)), "a damaged complex: %d %s" % (got[0], got[2]))
+        expect(run(checker, worked, "--complex", file("packed-complex", frame([(block, 1)])))[0] == 0, "a compressed complex")
         report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
         expect(report["smallest-relative-power"] == {"value": 2, "cell-line": 34, "point": 3}, "the smallest relative power of the worked example")
         expect(report["complex"] == {"sha256": "680b430c4cf762c7e9ef3d597ce3704f7f45f3f7269fa1723b5d7f076d1ad8e3", "compared": True}, "the digest of the complex")

@@ -48,6 +48,11 @@ std::string lastLine(std::string text) {
     return text.substr(text.rfind('\n') + 1);
 }
 
+// The first line, without the name of the file.
+std::string messageOf(const std::string& text, const std::string& file) {
+    return text.compare(0, file.size(), file) == 0 ? text.substr(file.size(), text.find('\n') - file.size()) : "no error line";
+}
+
 // As in MANIFEST.tsv: `CODE LINE`, of `FILE:LINE:COLUMN: error[CODE]: ...`; for a damaged frame the code alone.
 std::string errorOf(const std::string& text, const std::string& file) {
     const std::size_t code = text.find("error[");
@@ -111,7 +116,8 @@ private:
         const int code = checkerMain(static_cast<int>(arguments.size()) - 1, arguments.data());
         std::fflush(nullptr);
         const bool json = std::find(test.arguments.begin(), test.arguments.end(), "--json") != test.arguments.end();
-        const std::string answer = json ? reportOf(contents(out_)) : code == 2 ? errorOf(contents(error_), test.arguments[0]) : lastLine(contents(out_));
+        const std::string error = contents(error_), &file = test.arguments[0];
+        const std::string answer = code == 2 ? (json ? messageOf(error, file) : errorOf(error, file)) : json ? reportOf(contents(out_)) : lastLine(contents(out_));
         return code == test.code && answer == test.expected;
     }
 

@@ -216,6 +216,8 @@ class Judge:
         lines = ["%s\t%s\t%s\t--threads\t1\n" % (code, expected, path) for path, code, expected in entries]
         # The original's report, which run_certificates.py compares with REPORTS.tsv.
         lines += ["%s\t%s\t%s\t--json\t--threads\t3\n" % (code, self.report(original, path), path) for path, code, expected in entries if code in "01"]
+        # The whole message, of which run_certificates.py compares the column and the text.
+        lines += ["%s\t%s\t%s\t--json\n" % (code, self.message(original, path), path) for path, code, expected in entries if code == "2"]
         # Without the float filter, as run_certificates.py does.
         lines += ["%s\t%s\t%s\t--exact\t--threads\t1\n" % (code, expected, path) for path, code, expected in entries if code != "2"]
         parents, rnd = certificate_mutants.parents(), random.Random(7)
@@ -234,6 +236,10 @@ class Judge:
     @staticmethod
     def report(program, path):
         return re.search(r'"rules":.*,"claims":.*(?=,"seconds")', Judge.run(program, path, "--json").stdout).group(0)
+
+    @staticmethod
+    def message(program, path):
+        return Judge.run(program, path, "--json").stderr.split("\n")[0].removeprefix(path)
 
     @staticmethod
     def answer(program, path):
