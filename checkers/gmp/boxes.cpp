@@ -3,8 +3,11 @@
 
 #include <algorithm>
 
+namespace {
+using Limits = std::numeric_limits<std::int64_t>;
+}
+
 GridBox boxOf(const Points& points, std::initializer_list<std::uint32_t> of, std::uint32_t id) {
-    using Limits = std::numeric_limits<std::int64_t>;
     GridBox box{{Limits::max(), Limits::max(), Limits::max()}, {Limits::min(), Limits::min(), Limits::min()}, id};
     for (const std::uint32_t p : of) box.add(points, p);
     return box;
@@ -38,8 +41,8 @@ BoxTree::BoxTree(std::vector<GridBox> boxes) : items_(std::move(boxes)) {
 
 void BoxTree::build(std::size_t first, std::size_t last) {
     GridBox box = items_[first];
-    std::int64_t low[3], high[3];  // of the sums of both ends, by which items are split
-    for (int i = 0; i < 3; ++i) low[i] = high[i] = items_[first].low[i] + items_[first].high[i];
+    // Of the sums of both ends, by which items are split.
+    std::int64_t low[] = {Limits::max(), Limits::max(), Limits::max()}, high[] = {Limits::min(), Limits::min(), Limits::min()};
     for (std::size_t k = first; k < last; ++k)
         for (int i = 0; i < 3; ++i) {
             box.low[i] = std::min(box.low[i], items_[k].low[i]);

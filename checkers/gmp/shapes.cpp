@@ -30,46 +30,42 @@ std::uint32_t Shapes::segmentOf(std::uint32_t x) const {
     return x < c_.vertexCount || !onSegment(kindOf(x)) ? none : c_.steiner[x - c_.vertexCount].carrier;
 }
 
+bool Shapes::beginAtVertex(std::size_t t) {
+    const auto& corners = c_.cells[t].corner;
+    const auto vertex = std::find_if(std::begin(corners), std::end(corners), [this](std::uint32_t x) { return x < c_.vertexCount; });
+    first_[t] = static_cast<std::uint8_t>(vertex - std::begin(corners));
+    return vertex != std::end(corners);
+}
+
 bool Shapes::triangle(std::size_t t) {
-    const Cell& cell = c_.cells[t];
-    for (int i = 0; i < 3; ++i) {
-        if (cell.corner[i] >= c_.vertexCount) continue;
-        first_[t] = static_cast<std::uint8_t>(i);
-        const std::uint32_t v = corner(t, 0), one = corner(t, 1), two = corner(t, 2);
-        const std::uint32_t m = isSteiner(one, PointKind::projection) ? one : two, a = m == one ? two : one;
-        if (!isSteiner(m, PointKind::projection) || !isSteiner(a, PointKind::offset)) return false;
-        const Pair ends = c_.segments[segmentOf(m)];
-        if (ends.first != v && ends.second != v) return false;
-        const Frame f(c_, {m, v, a});
-        return sgn(Whole(f[1] * f[2])) == 0;
-    }
-    return false;
+    if (!beginAtVertex(t)) return false;
+    const std::uint32_t v = corner(t, 0), one = corner(t, 1), two = corner(t, 2);
+    const std::uint32_t m = isSteiner(one, PointKind::projection) ? one : two, a = m == one ? two : one;
+    if (!isSteiner(m, PointKind::projection) || !isSteiner(a, PointKind::offset)) return false;
+    const Pair ends = c_.segments[segmentOf(m)];
+    if (ends.first != v && ends.second != v) return false;
+    const Frame f(c_, {m, v, a});
+    return sgn(Whole(f[1] * f[2])) == 0;
 }
 
 bool Shapes::spoke(std::size_t t) {
-    for (int i = 0; i < 3; ++i) {
-        if (c_.cells[t].corner[i] >= c_.vertexCount) continue;
-        first_[t] = static_cast<std::uint8_t>(i);
-        const auto rim = [this](std::uint32_t x) { return isSteiner(x, PointKind::arc) || isSteiner(x, PointKind::offset); };
-        return rim(corner(t, 1)) && rim(corner(t, 2));
-    }
-    return false;
+    const auto rim = [this](std::uint32_t x) { return isSteiner(x, PointKind::arc) || isSteiner(x, PointKind::offset); };
+    return beginAtVertex(t) && rim(corner(t, 1)) && rim(corner(t, 2));
 }
 
-// t is the first cell of a box: its corners in cyclic order are b, c, d, a for the common edge from a to b of this cell.
+// t is the first cell of a box. By rule `box` each of its two cells has one corner that the other one has not.
 bool Shapes::rectangle(std::size_t t) {
     const Cell &cell = c_.cells[t], &half = c_.cells[t + 1];
-    std::uint32_t ring[4] = {};
-    for (int i = 0; i < 3; ++i) {
-        const std::uint32_t a = cell.corner[i], b = cell.corner[(i + 1) % 3];
-        for (int j = 0; j < 3; ++j)
-            if (half.corner[j] == b && half.corner[(j + 1) % 3] == a) {
-                ring[0] = b;
-                ring[1] = cell.corner[(i + 2) % 3];
-                ring[2] = a;
-                ring[3] = half.corner[(j + 2) % 3];
-            }
-    }
+    const auto lacks = [](const Cell& other, std::uint32_t x) { return std::find(std::begin(other.corner), std::end(other.corner), x) == std::end(other.corner); };
+    std::uint32_t ring[4] = {};  // in cyclic order
+    for (int i = 0; i < 3; ++i)
+        if (lacks(half, cell.corner[i])) {
+            ring[0] = cell.corner[i];
+            ring[1] = cell.corner[(i + 1) % 3];
+            ring[3] = cell.corner[(i + 2) % 3];
+        }
+    for (const std::uint32_t x : half.corner)
+        if (lacks(cell, x)) ring[2] = x;
     for (int i = 0; i < 4; ++i) {
         Box box{static_cast<std::uint32_t>(t), {}};
         for (int k = 0; k < 4; ++k) box.corner[k] = ring[(i + k) % 4];

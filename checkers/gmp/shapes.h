@@ -43,6 +43,7 @@ private:
     PointKind kindOf(std::uint32_t x) const { return c_.steiner[x - c_.vertexCount].kind; }
     bool isSteiner(std::uint32_t x, PointKind kind) const { return x >= c_.vertexCount && kindOf(x) == kind; }
     bool isOfItsKind(std::size_t t);
+    bool beginAtVertex(std::size_t t);  // of a T or S cell; false: there is none
     bool triangle(std::size_t t);
     bool spoke(std::size_t t);
     bool rectangle(std::size_t t);

@@ -5,7 +5,7 @@ from fractions import Fraction as Q
 from math import isqrt
 
 from claim_bases import Assembly, Square
-from claim_cases import TINY, Cases, angle, chebyshev
+from claim_cases import TINY, Cases, angle, chebyshev, outline_edges
 
 
 def write_facets(m):
@@ -30,17 +30,18 @@ def turn(c, count):
 
 def write_second_records(m):
     """The complex: the second inner constraint or isolated vertex, the last boundary edge."""
-    def case(name, rule_line, thing, reason, heights=(), inner=((4, 5), (6, 7)), isolated=(8, 9), extra=(), missing=()):
+    def case(name, rule_line, thing, reason, heights=(), inner=((4, 5), (6, 7)), isolated=(8, 9), extra=(), missing=(), corners=(0, 1, 2)):
         points = [(0, 0), (12, 0), (12, 12), (0, 12), (1, 1), (2, 3), (5, 1), (6, 5), (9, 7), (7, 10)]
         boundary = m.loop([0, 1, 2, 3]) + list(extra)
         c = m.Certificate(3, [(x, y, Q(v in heights, 2 ** 70)) for v, (x, y) in enumerate(points)], [e for e in m.undirected(boundary + list(inner)) if e not in missing],
-                          [dict(corners=(0, 1, 2), boundary=boundary, inner=inner, isolated=isolated)], cells=["0 0 1 2 C"])
+                          [dict(corners=corners, boundary=boundary, inner=inner, isolated=isolated)], cells=["0 0 1 2 C"])
         m.reject("complex-" + name, c, "complex", rule_line, thing, reason)
     case("second-constraint-first", ("6 7", 1), "facet-0-vertex-6", "the first vertex of the second inner constraint is outside the plane", heights=[6])
     case("second-constraint-second", ("6 7", 1), "facet-0-vertex-7", "the second vertex of the second inner constraint is outside the plane", heights=[7])
     case("second-isolated", ("9", 1), "facet-0-vertex-9", "the second isolated vertex is outside the plane", heights=[9])
     case("second-constraint-no-segment", ("6 7", 1), "facet-0-constraint-6-7-no-segment", "the second inner constraint is no segment", missing=[(6, 7)])
     case("second-not-isolated", ("9", 1), "facet-0-vertex-9-not-isolated", "the second isolated vertex is on an inner constraint", inner=[(4, 5), (6, 9)])
+    case("first-edge", ("0 1", 1), "facet-0-vertex-0", "a vertex outside the plane, which the first boundary edge names", heights=[0], corners=(1, 2, 3))
     case("last-edge", ("9 8", 1), "facet-0-vertex-9", "a vertex outside the plane of which only the last boundary edge knows", heights=[9], isolated=(), extra=[(9, 8)])
 
 
@@ -245,6 +246,8 @@ def write_kinds(m):
     for name, order in (("C", "CSTR"), ("S", "STRC"), ("R", "RCST")):
         m.accept("kinds-first-" + name, changed(lambda c: setattr(c, "cells", [cell for kind in order for cell in of(c, kind)[::1 if kind == "R" else -1]])),
                  "every claim; the cells in another order, those of kind %s first" % name)
+    edge = next(outline_edges(k.flat2))[0]
+    m.accept("kinds-first-outline", changed(lambda c: c.cells.insert(0, c.cells.pop(edge))), "every claim; the first cell is a C cell at the outline")
     number = next(i for i, cell in enumerate(k.flat2.cells) if cell[2] == "C" and i > 20)
 
     def misfit(name, line, fault, change, reason):
@@ -349,6 +352,12 @@ def write_near(m):
     m.reject("claim-L21-first-vertex", c, "L21", "v 2 0 0 1", "vertex-1-vertex-0", "the first of all entities is too near")
     c = m.Certificate(3, [(0, 0, 0), (1000, 0, 0)] + [(k, k * k, 1) for k in range(1, 9)], [], [])
     c.claims.append("claim L21 10")
+    # Slacks that differ by little, that of the later pair is smaller: REPORTS.tsv has it. The unit of the grid is 1.
+    for name, r, one, two in (("little", Q(1, 3), 1000, 999), ("less", Q(2 ** 20, 3), 10 ** 12, 10 ** 12 - 10)):
+        far = m.Certificate(3, [(0, 0, 0), (one, 0, 0), (10 ** 14, 0, 0), (10 ** 14 + two, 0, 0), (2 ** 48 - 1, 7, 9)], [], [])
+        far.claims.append("claim L21 5")
+        far.parameters = ["r " + m.rational(r)]
+        m.accept("claim-L21-slack-" + name, far, "two pairs of vertices whose distances differ by little; the later one is nearer")
     for name, power in (("large", 30), ("larger", 100)):
         c.parameters = ["r " + m.rational(Q(2 ** power, 3))]
         m.reject("claim-L21-" + name, c, "L21", "v 3e8 0 0 1", "vertex-1-vertex-0", "r so large that its square on the grid has more than 128 bits, the lower ones 0")
