@@ -32,20 +32,20 @@ public:
     // Begins a line that starts with a number.
     void beginNumber(std::initializer_list<std::string_view> miscounted);
 
-    // Fields.
+    // Fields, each behind a space.
     std::string_view word();
     std::uint32_t index();
     std::uint32_t indexBelow(std::uint64_t bound, const char* what);
     void integer(IntegerStore& store, char terminator = ' ');
     void space() {
-        // The LF behind the line is no space.
+        // Every field ends at a space or at the end of the line; the LF behind it is no space.
         if (*cursor_ != ' ' || cursor_ + 1 == stop_ || cursor_[1] == ' ') badSpace();
         ++cursor_;
     }
     void slash();
     bool atEnd() const { return cursor_ == stop_; }
     void finish();
-    std::string_view rest();            // behind a space: text of single spaces and printable characters, up to the end
+    std::string_view rest();            // text of single spaces and printable characters, up to the end
     const char* mark() const { return cursor_; }
     const char* lineStart() const { return buffer_.data() + lineStart_; }
     void rewind(const char* to) { cursor_ = to; }  // to a mark on the same line

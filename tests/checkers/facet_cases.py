@@ -173,6 +173,11 @@ def write_weighted(m):
         c = plain()
         c.cells = ["0 0 1 2 C -1/4"]
         m.accept("weighted-offset-" + name, c, "the same, with an offset between two bounds")
+    # The grid's origin is outside of the sphere, its first two points have weights of 1 and 127 bits, and the other way round.
+    for name, first in (("elsewhere", [(-500, -300, 7), (-600 + Q(1, large), 20, 9)]), ("elsewhere-turned", [(-600 + Q(1, large), 20, 9), (-500, -300, 7)])):
+        c = uncommon(m.Certificate(3, first + [(Q(1, 3), Q(1, 7), 0), (4 + Q(1, 11), Q(1, 13), 0), (Q(1, 17), 4 + Q(1, 19), 0), (1 + Q(1, 23), 1 + Q(1, 29), 1 + Q(1, 31))], [(2, 3), (2, 4), (3, 4)],
+                                   [dict(corners=(2, 3, 4), boundary=m.loop([2, 3, 4]))], cells=["0 2 3 4 C"]))
+        m.reject("weighted-" + name, c, "emptiness", "t 0 2 3 4 C", "cell-0-point-5", "a vertex in a sphere far from the first two vertices, whose weights differ by 126 bits")
     flat, half = [(0, 0, 0), (4, 0, 0), (0, 4, 0)], Q(1, 2)
     c = m.Certificate(3, flat + [(9, 0, half), (13, 0, half), (9, 4, half)], m.undirected(m.loop([0, 1, 2]) + m.loop([3, 4, 5])),
                       [dict(corners=t, boundary=m.loop(list(t))) for t in ((0, 1, 2), (3, 4, 5))], cells=["0 0 1 2 C", "1 3 4 5 C"])
