@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Cases for mutants of the reader (mutation/mutate_checker.py): the last characters, digits and bytes that are allowed, and the first that are not."""
 
+from fractions import Fraction as Q
+
 LONGEST = 1048576  # bytes of a line
 BLOCK = 131072
 
@@ -44,9 +46,9 @@ def write_text(m):
 
 def write_long(m):
     """Lines and integers that are as long as may be, and one longer."""
-    single = m.Certificate(3, [(16 ** 65535, 0, 0)], [], [])
-    head, tail = single.text().split("1" + 65535 * "0")
-    m.accept("digits-most", runs(m, [head + "1", (b"0", 65535), tail]), "an integer of 65536 digits")
+    single = m.Certificate(3, [(Q(16 ** 65535, 16 ** 65535 + 1), 0, 0)], [], [])
+    head, tail = single.text().split("1%s 0 0 1%s1" % (65535 * "0", 65534 * "0"))
+    m.accept("digits-most-zstd", runs(m, [head + "1", (b"0", 65535), " 0 0 1", (b"0", 65534), "1" + tail]), "integers of 65536 digits")
 
     # The reader takes 2^14 bytes at first, then twice as many each time, up to 2^18: so the line begins that many bytes in that its end is where a piece ends, too.
     c = m.Certificate(3, [(1, 2, 3)], [], [])
@@ -57,7 +59,7 @@ def write_long(m):
     start = text.index("n long ")
     assert start == place and text.index("\n", start) == start + LONGEST
     rest = text[start + LONGEST:]
-    m.accept("line-longest", runs(m, [text[:len(before)], (b"x", place - len(before) - 1), "\nn long ", (b"y", LONGEST - 7), rest]), "a line of 1048576 bytes")
+    m.accept("line-longest-zstd", runs(m, [text[:len(before)], (b"x", place - len(before) - 1), "\nn long ", (b"y", LONGEST - 7), rest]), "a line of 1048576 bytes")
     head = text[:len(before)] + "x\nn long "
     m.decline("line-one-more", runs(m, [head, (b"y", LONGEST - 6), "\n"]), "too-large", "a line of 1048577 bytes")
     m.decline("line-endless", runs(m, [head, (b"y", 400 * BLOCK), "\n"], window=7), "too-large", "a line of 50 MB")
