@@ -304,7 +304,7 @@ class Auditor {
       facet.triangles.clear();
       complex.facets.push_back(std::move(facet));
       for (Cell& cell : cells_[f])
-        placement.cells.push_back({facet_name, {name[cell.corners[0]], name[cell.corners[1]], name[cell.corners[2]]}, CellKind::C, -1, std::move(cell.offset)});
+        placement.cells.push_back({facet_name, {name[cell.corners[0]], name[cell.corners[1]], name[cell.corners[2]]}, CellKind::C, -1, cell.offset});
     }
     SegmentId segment_name = 0;
     for (std::size_t s = 0; s < complex_.segments.size(); ++s) {

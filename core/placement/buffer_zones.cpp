@@ -490,6 +490,7 @@ int BufferZones::apply_requests() {
 
 Placement BufferZones::result() const {
   Placement placement;
+  placement.points.reserve(point_count());
   for (int id = 0; id < point_count(); ++id) placement.points.push_back({point(id), kind(id), carrier(id)});
   std::vector<std::vector<PlacedCell>> cells(complex_.facets.size());
   const auto add = [&](FacetId facet, int a, int b, int c, CellKind kind, int box) {
@@ -514,6 +515,9 @@ Placement BufferZones::result() const {
         add(rows_[r].protectors[p].facet, a, b, c, CellKind::R, 0);
         add(rows_[r].protectors[p].facet, a, c, d, CellKind::R, 0);
       }
+  std::size_t count = 0;
+  for (std::size_t f = 0; f < cells.size(); ++f) count += cells[f].size() + regions_[f].region.triangle_count();
+  placement.cells.reserve(count);
   int boxes = 0;
   for (std::size_t f = 0; f < cells.size(); ++f) {
     for (std::size_t i = 0; i < cells[f].size(); ++i)
@@ -521,9 +525,9 @@ Placement BufferZones::result() const {
         cells[f][i].box = boxes;
         cells[f][++i].box = boxes++;
       }
-    for (const auto& [a, b, c] : regions_[f].region.triangles())
-      cells[f].push_back({static_cast<FacetId>(f), {regions_[f].points[a], regions_[f].points[b], regions_[f].points[c]}, CellKind::C, -1, {}});
     for (PlacedCell& cell : cells[f]) placement.cells.push_back(std::move(cell));
+    for (const auto& [a, b, c] : regions_[f].region.triangles())
+      placement.cells.push_back({static_cast<FacetId>(f), {regions_[f].points[a], regions_[f].points[b], regions_[f].points[c]}, CellKind::C, -1, {}});
   }
   for (const Row& row : rows_) {
     PlacedRow placed{row.segment, {}, {}};

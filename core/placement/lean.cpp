@@ -62,7 +62,7 @@ Placement result(const LeanState& state) {
     for (const Triangle& t : state.planar(f).triangles()) {
       // t n is a length: in the input's coordinates n grows by 4^scale and lengths by 2^scale.
       mpq_class offset = times_power_of_two(offset_of(state, f, t, normal), -complex.scale);
-      placement.cells.push_back({f, {names[t[0]], names[t[1]], names[t[2]]}, CellKind::C, -1, std::move(offset)});
+      placement.cells.push_back({f, {names[t[0]], names[t[1]], names[t[2]]}, CellKind::C, -1, offset});
     }
   }
   for (std::size_t s = 0; s < complex.segments.size(); ++s) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -32,13 +33,36 @@ struct PlacedPoint {
   int carrier = -1;
 };
 
+/// A rational of which there are millions, nearly all zero: zeros take no memory of their own.
+class SparseRational {
+ public:
+  SparseRational() = default;
+  SparseRational(const mpq_class& value) : value_(value == 0 ? nullptr : std::make_unique<mpq_class>(value)) {}
+  SparseRational(const SparseRational& other) : SparseRational(other.value()) {}
+  SparseRational(SparseRational&&) noexcept = default;
+  SparseRational& operator=(SparseRational other) noexcept {
+    value_ = std::move(other.value_);
+    return *this;
+  }
+
+  bool operator==(const SparseRational& other) const { return value() == other.value(); }
+  bool is_zero() const { return !value_; }
+  const mpq_class& value() const {
+    static const mpq_class zero;
+    return value_ ? *value_ : zero;
+  }
+
+ private:
+  std::unique_ptr<mpq_class> value_;
+};
+
 struct PlacedCell {
   FacetId facet = 0;
   std::array<int, 3> corners{};
   CellKind kind = CellKind::C;
   int box = -1;
   /// The sphere's offset along the facet's normal (certificate-format.md section 3), in the input's coordinates; zero: none.
-  mpq_class offset;
+  SparseRational offset;
 };
 
 struct PlacedRow {

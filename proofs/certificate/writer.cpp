@@ -99,7 +99,7 @@ CertificateSummary write_certificate(const std::string& path, const std::string&
   for (const PlacedCell& cell : placement.cells) {
     std::string line = fmt::format("t {} {} {} {} {}", cell.facet, cell.corners[0], cell.corners[1], cell.corners[2], name_of(cell.kind));
     if (cell.kind == CellKind::R) line += fmt::format(" {}", cell.box);
-    if (cell.offset != 0) line += ' ' + rational(cell.offset);
+    if (!cell.offset.is_zero()) line += ' ' + rational(cell.offset.value());
     file.write(line + '\n');
   }
   std::size_t blocks = 0;

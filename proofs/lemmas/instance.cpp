@@ -115,7 +115,7 @@ void Instance::derive() {
 
 bool Instance::classify(int c) {
   const PlacedCell& cell = cells[c];
-  if (cell.offset != 0) return false;
+  if (!cell.offset.is_zero()) return false;
   int vertex = -1, vertices = 0;
   for (int k = 0; k < 3; ++k)
     if (kinds[cell.corners[k]] == PointKind::vertex) {

@@ -56,7 +56,7 @@ PointIndex Space::index(const std::function<bool(int)>& accepted) const {
 }
 
 Sphere::Sphere(const Space& space, int cell)
-    : space_(space), instance_(space.instance()), corners_(instance_.cells[cell].corners), facet_(instance_.cells[cell].facet), offset_(instance_.cells[cell].offset) {
+    : space_(space), instance_(space.instance()), corners_(instance_.cells[cell].corners), facet_(instance_.cells[cell].facet), offset_(instance_.cells[cell].offset.value()) {
   const BoundedVector u = space.difference(corners_[1], corners_[0]), w = space.difference(corners_[2], corners_[0]), n = cross(u, w);
   twice_centre_ = times(Bounded{1, 0} / dot(n, n), plus(times(dot(u, u), cross(w, n)), times(dot(w, w), cross(n, u))));
   if (offset_ != 0) {

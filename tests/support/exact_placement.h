@@ -88,7 +88,7 @@ struct ExactPlacement {
       const Rational3 u = minus(points[b], points[a]), w = minus(points[c], points[a]), n = times(u, w);
       const Rational3 facet = facet_normal(complex, complex.facets[cell.facet]);
       const Rational3 flat = scaled(1 / (2 * squared(n)), plus(scaled(squared(u), times(w, n)), scaled(squared(w), times(n, u))));
-      const Rational3 twice = scaled(2, plus(flat, scaled(cell.offset, facet)));
+      const Rational3 twice = scaled(2, plus(flat, scaled(cell.offset.value(), facet)));
       for (std::size_t i = 0; i < points.size(); ++i) {
         const Rational3 x = minus(points[i], points[a]);
         const int power = sgn(mpq_class(squared(x) - scalar(twice, x)));

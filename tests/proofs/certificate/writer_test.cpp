@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(spoilt_placements_are_rejected) {
   // A sphere that is moved far along its normal contains the points on that side.
   BOOST_TEST(rule_after([](Placement& p, const Complex&) {
     for (auto& cell : p.cells)
-      if (cell.kind == CellKind::C) cell.offset = 1000;
+      if (cell.kind == CellKind::C) cell.offset = mpq_class(1000);
   }) == "emptiness");
   // The cells of graded without what graded placed: vertices only.
   BOOST_TEST(rule_after([](Placement& p, const Complex& c) {
