@@ -14,6 +14,7 @@ def write_for_mutants(m):
     write_pairs(m)
     write_boxes(m)
     write_details(m)
+    write_hanging(m)
     write_pierced(m)
 
 
@@ -143,6 +144,31 @@ def write_details(m):
         m.accept("detail-%shanging-just-outside" % name, c, "a vertex by 2^-90 outside the ball of a hanging edge, among many in one cell of the grid")
         c.vertices[21] = (0, 2, 7)
         m.reject("detail-%shanging-on" % name, c, "hanging", "h 3 3 4", "subsegment-0-point-21", "the same exactly on the ball")
+
+
+def write_hanging(m):
+    def parts(name, hanging, thing, reason):
+        c = m.worked()
+        c.hanging = hanging
+        m.reject("hanging-" + name, c, "hanging", "h %d %d %d" % hanging[0], thing, reason)
+    parts("part-of-a-point", [(3, 3, 3), (3, 3, 6), (3, 6, 4)], "subsegment-0-point-3-not-forward", "a subsegment from a point to itself")
+    parts("over-vertex", [(3, 3, 0), (3, 0, 4)], "subsegment-0-point-0-not-on-segment", "a hanging segment by way of a vertex")
+    two = m.worked()
+    two.vertices += [(9, 1, 5), (9, 1, 9)]
+    two.segments.append((5, 6))
+    two.points = [two.points[0], ("edge 4", (9, 1, 7))]
+    two.cells = [cell.replace("5", "7") for cell in two.cells]
+    two.hanging = [(3, 3, 8), (3, 8, 4), (4, 5, 8), (4, 8, 6)]
+    m.reject("hanging-other-point", two, "hanging", "h 3 3 8", "subsegment-0-point-8-not-on-segment", "a hanging segment by way of another one's point")
+    two.hanging = [(3, 3, 4), (4, 5, 8), (4, 8, 6)]
+    two.vertices += [(Q(7, 2), 1, 7), (12, 1, 6)]
+    two.cells = [cell.replace("7", "9") for cell in two.cells]
+    two.hanging = [(3, 3, 4), (4, 5, 10), (4, 10, 6)]
+    two.claims.append("claim L22 3")
+    m.accept("hanging-first-tightest", two, "of three subsegments the first one's ball has the nearest point: REPORTS.tsv has its slack")
+    diagonal = m.square(segments=[(0, 2)], extra=[(Q(1, 2), Q(1, 2), 2)])
+    diagonal.hanging = [(diagonal.segments.index((0, 2)), 0, 2)]
+    m.reject("hanging-diagonal", diagonal, "hanging", "h %d 0 2" % diagonal.hanging[0][0], "subsegment-0-point-1", "the diagonal of a square as a hanging segment: no tie of the facet")
 
 
 def write_boxes(m):

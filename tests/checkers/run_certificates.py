@@ -6,6 +6,7 @@ Compares the exit code and the last line (or the error's code and line) with MAN
 folder and generator agree; compares reports, and the columns and messages of errors, with REPORTS.tsv; tries the command line (with --command-line that alone, for mutants of the checker); and changes each byte of the worked example.
 """
 import filecmp
+import hashlib
 import json
 import os
 import re
@@ -201,6 +202,7 @@ def check_command_line(checker):
         report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
         coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
         expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
+        check_large(checker, file, text)
         check_pipe(checker, folder)
         if shutil.which("zstd") and "--no-frames" not in sys.argv:
             for level in ("-1", "-19"):
@@ -212,6 +214,23 @@ def check_command_line(checker):
                 for size in range(4, len(data)):
                     got = run(checker, file("cut", data[:size]))
                     expect(got[0] == 2 and "error[E-ZSTD]" in got[2], "zstd frame cut after %d bytes: %d" % (size, got[0]))
+
+
+def check_large(checker, file, text):
+    """So many notes that the digest gets a thread of its own."""
+    notes = b"".join(b"n filler %05d %s\n" % (i, b"abcdefghijklmnopqrstuvwxyz" * 3) for i in range(40000))
+    old = next(line for line in text.split(b"\n") if line.startswith(b"notes "))
+    body = text[:text.rindex(b"\nend ") + 1].replace(old + b"\n", b"notes %d\n" % (40000 + int(old[6:])) + notes)
+    end = text[text.rindex(b"\nend ") + 1:-65]
+    digest = hashlib.sha256(body).hexdigest().encode()
+    last = body.count(b"\n") + 1
+    large = file("large", body + end + digest + b"\n")
+    for threads in ("1", "2", "7"):
+        expect(run(checker, large, "--threads", threads)[0] == 0, "a large certificate, %s threads" % threads)
+        wrong = run(checker, file("wrong", body.replace(b"n filler 39999 a", b"n filler 39999 b") + end + digest + b"\n"), "--threads", threads)
+        expect(last_line(wrong[1]) == "s REJECTED hash %d digest" % last, "a changed note, %s threads: %s" % (threads, last_line(wrong[1])))
+        cut = run(checker, file("cut", body[:-100]), "--threads", threads)
+        expect(cut[0] == 2 and "E-" in cut[2], "a large certificate that ends early, %s threads" % threads)
 
 
 def check_pipe(checker, folder):

@@ -352,7 +352,7 @@ int main(int count, char** arguments) {
         onSpheres();
         slivers();
         roundings();
-        if (k % 16 == 0) details();
+        if (k % 64 == 0) details();
     }
     for (long k = 0; k < cases; ++k) farCentres();
     std::printf("%ld balls, %ld in doubt, %ld of %ld clear ones decided; %ld points decided; %ld of %ld orientations decided\n", tested, inDoubt, clearDecided, clear,
