@@ -10,11 +10,13 @@ import hashlib
 import json
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -203,6 +205,7 @@ def check_command_line(checker):
         coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
         expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
         check_large(checker, file, text)
+        check_limits(checker, folder, worked)
         check_pipe(checker, folder)
         if shutil.which("zstd") and "--no-frames" not in sys.argv:
             for level in ("-1", "-19"):
@@ -233,12 +236,54 @@ def check_large(checker, file, text):
         expect(cut[0] == 2 and "E-" in cut[2], "a large certificate that ends early, %s threads" % threads)
 
 
+def check_limits(checker, folder, worked):
+    undecided = '{"verdict":"UNDECIDED","why":"memory-limit"}\n'
+    expect(run(checker, worked, "--memory-limit", "40K") == (3, "s UNDECIDED memory-limit\n", ""), "--memory-limit")
+    expect(run(checker, worked, "--memory-limit", "40K", "--json") == (3, undecided, "s UNDECIDED memory-limit\n"), "--memory-limit with --json")
+    # Many vertices and nothing else: a complex larger than any buffer.
+    lines = [b"v %x %x %x 1\n" % (i, i * i, 7 * i + 1) for i in range(40000)]
+    block = b"plc 1\ndim 3\nvertices 40000\n" + b"".join(lines) + b"segments 0\nfacets 0\nend\n"
+    body = b"confidel-certificate 1\n" + block
+    body += b"claims 1\nclaim conforms\nnotes 0\nparameters 0\npoints 0\ncells 0\nrows 0\nhanging 0\nevidence 0\n"
+    path, same = os.path.join(folder, "vertices"), os.path.join(folder, "vertices.plc")
+    with open(path, "wb") as out:
+        out.write(body + b"end 40000 0 0 0 0 0 0 " + hashlib.sha256(body).hexdigest().encode() + b"\n")
+    for data, line in ((block, None), (block[:-1], block.count(b"\n") - 1), (block + b"x", block.count(b"\n") - 1), (block.replace(b"v 1388 ", b"v 1389 ", 1), 3 + 5000), (block[:300000], block[:300000].count(b"\n"))):
+        with open(same, "wb") as out:
+            out.write(data)
+        got = run(checker, path, "--complex", same)
+        expected = "s VERIFIED" if line is None else "s REJECTED complex %d other-complex" % (2 + line)
+        expect(last_line(got[1]) == expected, "--complex with %d bytes: %s, expected %s" % (len(data), last_line(got[1]), expected))
+    # Memory that was given back is not counted.
+    expect(run(checker, path, "--threads", "1", "--memory-limit", "32M")[0] == 0 and run(checker, path, "--memory-limit", "4M")[:2] == (3, "s UNDECIDED memory-limit\n"), "--memory-limit for 40000 vertices")
+
+    def under(megabytes, *arguments):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
+        return subprocess.run([checker, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=limit)
+    if under(24, "--version").returncode == 0:  # not under a sanitizer
+        done = under(24, path, "--threads", "1")
+        expect(done.returncode == 70 and "out of memory" in done.stderr and done.stdout == "", "no memory: %d %r" % (done.returncode, done.stderr))
+    # Without standard input the certificate is file 0.
+    done = subprocess.run([checker, worked], stdout=subprocess.PIPE, preexec_fn=lambda: os.close(0))
+    expect(done.returncode == 0, "without standard input: %d" % done.returncode)
+    expect("cannot be read: No such file" in run(checker, os.path.join(folder, "missing"))[2], "the reason why a file cannot be read")
+    with open("/dev/full", "w") as full:
+        for arguments, code in (((worked,), 70), ((worked, "--memory-limit", "40K"), 3)):
+            done = subprocess.run([checker, *arguments], stdout=full, stderr=subprocess.DEVNULL, timeout=60)
+            expect(done.returncode == code, "nowhere to write: %s %d" % (arguments, done.returncode))
+
+
 def check_pipe(checker, folder):
     """A certificate that never arrives: the time limit and the signals end the wait."""
     pipe = os.path.join(folder, "pipe")
     os.mkfifo(pipe)
     keep = os.open(pipe, os.O_RDWR)
     expect(run(checker, pipe, "--time-limit", "0.1")[:2] == (3, "s UNDECIDED time-limit\n"), "--time-limit")
+    expect(run(checker, pipe, "--time-limit", "0") == (3, "s UNDECIDED time-limit\n", ""), "--time-limit 0")
+    for limit in (0.4, 1.2):  # never early
+        start = time.monotonic()
+        expect(run(checker, pipe, "--json", "--time-limit", str(limit)) == (3, '{"verdict":"UNDECIDED","why":"time-limit"}\n', "s UNDECIDED time-limit\n"), "--time-limit with --json")
+        expect(time.monotonic() - start > 0.9 * limit, "--time-limit %g ends early" % limit)
     for number in (signal.SIGINT, signal.SIGTERM):
         process = subprocess.Popen([checker, pipe], stdout=subprocess.PIPE)
         try:
