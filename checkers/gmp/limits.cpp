@@ -15,7 +15,7 @@
 
 namespace {
 
-std::atomic<std::size_t> used{0};
+std::atomic<std::ptrdiff_t> used{0};  // since there is a limit; without one nothing is counted: millions of short numbers come and go
 std::size_t limit = 0;
 bool json = false;
 std::atomic_flag ending = ATOMIC_FLAG_INIT;
@@ -52,31 +52,30 @@ void say(int descriptor, const char* text) {
     ::_exit(70);
 }
 
-void add(std::size_t bytes) {
-    const std::size_t now = used.fetch_add(bytes, std::memory_order_relaxed) + bytes;
-    if (limit != 0 && now > limit) memoryExhausted();
+void count(std::size_t taken, std::size_t given) {
+    const std::ptrdiff_t change = static_cast<std::ptrdiff_t>(taken) - static_cast<std::ptrdiff_t>(given);
+    if (used.fetch_add(change, std::memory_order_relaxed) + change > static_cast<std::ptrdiff_t>(limit)) memoryExhausted();
 }
 
 void* allocate(std::size_t bytes) {
     if (limit != 0 && bytes > limit) memoryExhausted();
     void* memory = std::malloc(bytes == 0 ? 1 : bytes);
     if (memory == nullptr) memoryExhausted();
-    add(malloc_usable_size(memory));
+    if (limit != 0) count(malloc_usable_size(memory), 0);
     return memory;
 }
 
 void release(void* memory) {
-    if (memory == nullptr) return;
-    used.fetch_sub(malloc_usable_size(memory), std::memory_order_relaxed);
+    if (limit != 0) count(0, malloc_usable_size(memory));
     std::free(memory);
 }
 
 void* reallocate(void* memory, std::size_t, std::size_t bytes) {
     if (limit != 0 && bytes > limit) memoryExhausted();
-    used.fetch_sub(malloc_usable_size(memory), std::memory_order_relaxed);
-    void* moved = std::realloc(memory, bytes == 0 ? 1 : bytes);
+    const std::size_t before = limit != 0 ? malloc_usable_size(memory) : 0;
+    void* moved = std::realloc(memory, bytes);
     if (moved == nullptr) memoryExhausted();
-    add(malloc_usable_size(moved));
+    if (limit != 0) count(malloc_usable_size(moved), before);
     return moved;
 }
 
@@ -100,8 +99,7 @@ std::size_t memoryLimit() { return limit; }
 void announceJson(bool value) { json = value; }
 
 void accountForeignMemory(std::size_t before, std::size_t after) {
-    used.fetch_sub(before, std::memory_order_relaxed);
-    add(after);
+    if (limit != 0) count(after, before);
 }
 
 void setTimeLimit(double seconds) {
