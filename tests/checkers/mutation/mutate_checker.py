@@ -267,9 +267,10 @@ class Judge:
                                number, "run_certificates.py --command-line")
 
     @staticmethod
-    def on_filter(program, number):
-        # Few cases notice most.
-        return program and (Judge.on_script([program, "300"], number, "checker.filter") or Judge.on_script([program], number, "checker.filter"))
+    def on_filter(program, number, mutant):
+        # Few cases notice most, and all that is no matter of rounding.
+        numeric = mutant is not None and mutant.file.split(".")[0] in ("filter", "points", "sphere")
+        return program and (Judge.on_script([program, "300"], number, "checker.filter") or (Judge.on_script([program], number, "checker.filter") if numeric else None))
 
     @staticmethod
     def on_script(command, number, name):
@@ -348,7 +349,7 @@ class Round:
 
     def judge(self, folder, program, filter_test=None):
         judge = Judge(program, folder, self.options.changed)
-        own = next(judge.on_certificates(program, [-1]))[1] or judge.on_command_lines(program, -1) or judge.on_filter(filter_test, -1)
+        own = next(judge.on_certificates(program, [-1]))[1] or judge.on_command_lines(program, -1) or judge.on_filter(filter_test, -1, None)
         if own:
             sys.exit("with no mutant in force, the program fails: " + own)
         return judge
@@ -361,7 +362,7 @@ class Round:
         def judge_some(numbers):
             for number, by in judge.on_certificates(program, numbers):
                 mutant = self.chosen[number]
-                self.record(mutant, by or (judge.on_filter(filter_test, number) if mutant.file in build.filter_files else None) or judge.on_command_lines(program, number, mutant))
+                self.record(mutant, by or (judge.on_filter(filter_test, number, mutant) if mutant.file in build.filter_files else None) or judge.on_command_lines(program, number, mutant))
 
         waiting, jobs = [number for number in sorted(inside) if self.chosen[number].key not in self.results], self.options.jobs
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -374,7 +375,7 @@ class Round:
             if programs is None:
                 by = NOT_COMPILED
             else:
-                by = next(judge.on_certificates(programs[0], [-1]))[1] or judge.on_filter(programs[1], -1) or judge.on_command_lines(programs[0], -1, mutant)
+                by = next(judge.on_certificates(programs[0], [-1]))[1] or judge.on_filter(programs[1], -1, mutant) or judge.on_command_lines(programs[0], -1, mutant)
         self.record(mutant, by)
 
 
