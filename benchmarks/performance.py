@@ -212,7 +212,7 @@ def main():
         files = [file for file in files if "facet-parts" not in file]
     if arguments.quick:
         files = [file for file in files if os.path.getsize(file) < 20000]
-    angles = (40, 10, 5) if arguments.quick else (40, 20, 10, 5, 2.5, 1.25, 0.8, 0.5)
+    angles = (40, 10, 5) if arguments.quick else (40, 20, 10, 5, 2.5, 1.25, 0.8, 0.5, 0.25, 0.135)
     text = ["# Performance, side by side", "",
             "Written by `./run bench%s` on %s: %s, %d processors, load %.1f at the beginning. Ratios matter, not seconds: peers run in the same minutes on the same machine."
             % (" --quick" if arguments.quick else "", datetime.date.today().isoformat(), platform.processor() or platform.machine(), os.cpu_count(), os.getloadavg()[0]), "",
