@@ -20,6 +20,8 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+import make_certificates
 CERTIFICATES = os.path.normpath(os.path.join(HERE, "..", "certificates"))
 FOLDERS = ("accept", "refute", "reject", "decline", "malformed")
 failures = []
@@ -256,6 +258,15 @@ def check_limits(checker, folder, worked):
         expect(last_line(got[1]) == expected, "--complex with %d bytes: %s, expected %s" % (len(data), last_line(got[1]), expected))
     # Memory that was given back is not counted.
     expect(run(checker, path, "--threads", "1", "--memory-limit", "32M")[0] == 0 and run(checker, path, "--memory-limit", "4M")[:2] == (3, "s UNDECIDED memory-limit\n"), "--memory-limit for 40000 vertices")
+
+    # A frame with a window of half the limit, and of one byte more than that.
+    with open(worked, "rb") as source:
+        text = source.read()
+    with open(os.path.join(folder, "window"), "wb") as out:
+        out.write(make_certificates.zstd_frame([(0, len(text), text)], window=10 << 3))
+    for limit, verdict in (("2M", (0, "s VERIFIED")), ("2097150", (3, "s UNDECIDED memory-limit"))):
+        got = run(checker, os.path.join(folder, "window"), "--quiet", "--memory-limit", limit)
+        expect((got[0], last_line(got[1])) == verdict, "a window of 1 MiB under --memory-limit %s: %d %s" % (limit, got[0], last_line(got[1])))
 
     def under(megabytes, *arguments):
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
