@@ -73,6 +73,8 @@ struct Instance {
     }
 };
 
+inline bool isCorner(const Cell& cell, std::uint32_t x) { return std::find(std::begin(cell.corner), std::end(cell.corner), x) != std::end(cell.corner); }
+
 // Whether a cell v p q of the facet lies over the direction of segment e at v: n.((p-v) x u) >= 0 and n.(u x (q-v)) >= 0.
 bool cellOverSegment(const Instance&, std::uint32_t facet, std::uint32_t v, std::uint32_t e);
 // sin^2 of the angle of e with the facet >= 1 - t^2.

@@ -75,18 +75,14 @@ private:
     bool meets(const Place& p, const Place& q, std::uint32_t f) const {
         const Place n = normal(f), origin = places_[c.facets[f].corner[0]];
         const Rational up = n * (p - origin), uq = n * (q - origin);
-        if (sgn(up) * sgn(uq) > 0) return false;
         if (sgn(up) == 0 && inRegion(p, f)) return true;
         if (sgn(uq) == 0 && inRegion(q, f)) return true;
-        if (sgn(up) != 0 && sgn(uq) != 0) return inRegion(p + Rational(up / (up - uq)) * (q - p), f);
-        if (sgn(up) != 0 || sgn(uq) != 0) return false;
-        const Facet& facet = c.facets[f];
-        for (std::size_t k = facet.boundary; k < facet.boundary + facet.boundaryCount; ++k)
-            if (sgn(distanceOfSegments(p, q, places_[c.boundary[k].first], places_[c.boundary[k].second])) == 0) return true;
-        return false;
+        // What lies in the plane, with both ends beside the facet, meets the facet in a boundary edge first.
+        return sgn(up) * sgn(uq) < 0 && inRegion(p + Rational(up / (up - uq)) * (q - p), f);
     }
 
-    // Whether a point of the plane is on a boundary edge, or an odd number of them separate it from infinity.
+    // Whether an odd number of boundary edges separate a point of the plane from infinity. On a boundary edge either answer
+    // will do: that edge is a segment as near as the facet, and its line comes before the facet's.
     bool inRegion(const Place& x, std::uint32_t f) const {
         const Facet& facet = c.facets[f];
         const int drop = c.normalAxis[f];
@@ -95,13 +91,12 @@ private:
         bool inside = false;
         for (std::size_t k = facet.boundary; k < facet.boundary + facet.boundaryCount; ++k) {
             const Place &a = places_[c.boundary[k].first], &b = places_[c.boundary[k].second];
-            const int fromA = cmp(second(a), second(x)), fromB = cmp(second(b), second(x));
-            if ((fromA > 0 && fromB > 0) || (fromA < 0 && fromB < 0)) continue;
-            // The sign of the side of a b on which x lies.
-            const Rational turn = (first(b) - first(a)) * (second(x) - second(a)) - (second(b) - second(a)) * (first(x) - first(a));
-            if (sgn(turn) == 0 && sgn(Rational((x - a) * (x - b))) <= 0) return true;
             // Edges that cross the ray towards larger first coordinates; an end on the ray counts as below it.
-            if ((fromA > 0) != (fromB > 0) && sgn(turn) * (fromB > 0 ? 1 : -1) > 0) inside = !inside;
+            const bool rises = second(b) > second(x);
+            if ((second(a) > second(x)) == rises) continue;
+            // Whether x is to the left of a b.
+            const bool left = (first(b) - first(a)) * (second(x) - second(a)) > (second(b) - second(a)) * (first(x) - first(a));
+            if (left == rises) inside = !inside;
         }
         return inside;
     }

@@ -80,12 +80,8 @@ void testL7(const Instance& i, Findings& out) {
         const std::uint32_t spoke = opens ? i.shapes->cellAt(facet, v, a) : i.shapes->cellAt(facet, a, v);
         std::uint32_t p = none, q = none;
         if (box != none && i.c.cells[box].kind == 'R') {
-            const std::uint32_t* ring = i.shapes->boxOf(box).corner;
-            for (int k = 0; k < 4; ++k) {
-                if (ring[k] != a) continue;
-                if (ring[(k + 1) % 4] == m) q = ring[(k + 3) % 4];
-                if (ring[(k + 3) % 4] == m) q = ring[(k + 1) % 4];
-            }
+            const std::uint32_t* ring = i.shapes->boxOf(box).corner;  // 2 and 3 are of kind offset; m a is a side, by rule `tiling`
+            q = ring[2] == a ? ring[3] : ring[2];
         }
         if (spoke != none && i.c.cells[spoke].kind == 'S')
             for (const std::uint32_t x : i.c.cells[spoke].corner)

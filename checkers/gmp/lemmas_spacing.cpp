@@ -47,14 +47,11 @@ void testL6(const Instance& i, Findings& out) {
 
 namespace {
 
-// The insertion of an interior point at the circumcentre z0 of a triangle.
+// The insertion of an interior point at the circumcentre z0 of a triangle. (That it is a corner of C cells only has been tested by rule `kinds`.)
 class InsertionTest {
 public:
     InsertionTest(const Instance& instance, Findings& out)
-        : i(instance), c(instance.c), out_(out), h2_(instance.p.h->value * instance.p.h->value), order_(c.steiner.size(), none), onlyC_(c.steiner.size(), true) {
-        for (const Cell& cell : c.cells)
-            for (const std::uint32_t x : cell.corner)
-                if (x >= c.vertexCount && cell.kind != 'C') onlyC_[x - c.vertexCount] = false;
+        : i(instance), c(instance.c), out_(out), h2_(instance.p.h->value * instance.p.h->value), order_(c.steiner.size(), none) {
         for (std::uint32_t k = 0; k < c.claims.insertions.size(); ++k) {
             const std::uint32_t x = c.claims.insertions[k].point;
             if (x >= c.vertexCount && order_[x - c.vertexCount] == none) order_[x - c.vertexCount] = k;
@@ -82,7 +79,6 @@ public:
         if (!interior(x)) return fail("kind");
         if (c.steiner[x - c.vertexCount].carrier != insertion.facet) return fail("facet");
         if (order_[x - c.vertexCount] != number) return fail("twice");
-        if (!onlyC_[x - c.vertexCount]) return fail("cell");
         for (const std::uint32_t corner : insertion.corner)
             if (!present(corner, insertion)) return fail("corner", corner);
         const auto& [a, b, d] = insertion.corner;
@@ -106,9 +102,9 @@ private:
     template <class Fail>
     void testDistances(const Insertion& insertion, const Place& z0, const Fail& fail) const {
         const std::uint32_t x = insertion.point;
-        // The centre is within h/64 of the point: its box is the point's, and larger by that on all sides.
+        // The centre is within h/64 of the point: its box is the point's, and larger by more than that on all sides.
         GridBox box = boxOf(c.points, {x}, x);
-        const auto room = static_cast<std::int64_t>(__builtin_sqrt(static_cast<double>(grid_)) / 64 * (1 + 1e-9)) + 2;
+        const auto room = static_cast<std::int64_t>(__builtin_sqrt(static_cast<double>(grid_)) / 32) + 2;
         for (int axis = 0; axis < 3; ++axis) {
             box.low[axis] -= room;
             box.high[axis] += room;
@@ -149,7 +145,6 @@ private:
     Findings& out_;
     const Rational h2_;
     std::vector<std::uint32_t> order_;  // of the first insertion of each Steiner point
-    std::vector<bool> onlyC_;           // corner of C cells only
     std::unique_ptr<BoxTree> points_, edges_;
     Wide grid_, quarter_;
 };

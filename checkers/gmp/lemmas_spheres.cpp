@@ -50,7 +50,6 @@ private:
     std::uint32_t plane_ = none, violating_ = none;
 };
 
-bool isCorner(const Cell& cell, std::uint32_t x) { return x == cell.corner[0] || x == cell.corner[1] || x == cell.corner[2]; }
 bool noCorner(const Instance& i, std::size_t t, std::uint32_t x) { return !isCorner(i.c.cells[t], x); }
 
 void testSpheres(const Instance& i, Findings& out, char kind, const Index& index, SphereTest::Wanted wanted) {

@@ -10,11 +10,9 @@ Rational power(const Certificate& c, const Cell& cell, std::uint32_t x) {
     return d * d - radius * radius;
 }
 
-bool isCorner(const Cell& cell, std::uint32_t x) { return std::find(std::begin(cell.corner), std::end(cell.corner), x) != std::end(cell.corner); }
-
 // L5: the protectors a of an opening and a' of a closing cell cross.
 bool crossing(const Certificate& c, const Shapes& shapes, const Refutation& r) {
-    if (c.cells[r.cell].kind != 'T' || c.cells[r.second].kind != 'T' || !shapes.opens(r.cell) || shapes.opens(r.second)) return false;
+    if (c.cells[r.second].kind != 'T' || !shapes.opens(r.cell) || shapes.opens(r.second)) return false;
     if (c.cells[r.cell].facet != c.cells[r.second].facet || shapes.corner(r.cell, 0) != shapes.corner(r.second, 0)) return false;
     const Frame f(c, {shapes.corner(r.cell, 0), shapes.foot(r.cell), shapes.tip(r.cell), shapes.foot(r.second), shapes.tip(r.second)});
     const Vec n = direction(c, c.cells[r.cell].facet);
@@ -35,11 +33,11 @@ bool isFoot(const Certificate& c, const Shapes& shapes, std::uint32_t v, std::ui
     return false;
 }
 
-// L9, L10, L11, L13: a point in the sphere of a cell.
+// L9, L10, L11, L13: a point in the sphere of a cell. (A corner is not in it, nor one of a box: their power is 0.)
 bool pointInSphere(const Certificate& c, const Shapes& shapes, const Refutation& r) {
     const Cell& cell = c.cells[r.cell];
     const std::uint32_t x = r.second;
-    if (isCorner(cell, x) || !bound(c, x)) return false;
+    if (!bound(c, x)) return false;
     const auto isRim = [&] {
         if (x < c.vertexCount) return false;
         const PointKind kind = c.steiner[x - c.vertexCount].kind;
@@ -49,13 +47,7 @@ bool pointInSphere(const Certificate& c, const Shapes& shapes, const Refutation&
     if (r.lemma == Lemma::l9) right = cell.kind == 'T';
     if (r.lemma == Lemma::l10) right = cell.kind == 'S' && isFoot(c, shapes, shapes.corner(r.cell, 0), x);
     if (r.lemma == Lemma::l11) right = cell.kind == 'S' && isRim();
-    if (r.lemma == Lemma::l13) {
-        right = cell.kind == 'R';
-        if (right) {
-            const std::uint32_t* corner = shapes.boxOf(r.cell).corner;
-            right = std::find(corner, corner + 4, x) == corner + 4;
-        }
-    }
+    if (r.lemma == Lemma::l13) right = cell.kind == 'R';
     return right && sgn(r.value) < 0 && r.value == power(c, cell, x);
 }
 

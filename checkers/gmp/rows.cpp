@@ -27,7 +27,7 @@ public:
                 if (!equalsFirst()) return fail("vector");
                 continue;
             }
-            if (isZero(o)) return fail("vector");
+            // o is not zero: the points are distinct, and x is another one, or the row of the segment is at fault, which is said first.
             c.points.difference(along, c.segments[row.segment].second, c.segments[row.segment].first);
             dot(value, o, along);
             if (sign(value) != 0) return fail("not-orthogonal");
@@ -37,7 +37,7 @@ public:
             mpz_submul(value, along[k], o[j]);
             const int side = sign(value) * c.normalSign[row.facet];
             if (side != (row.side == '+' ? 1 : -1)) return fail("side");
-            for (int axis = 0; axis < 3; ++axis) mpz_set(firstVector[axis], o[axis]);
+            for (const int axis : {0, 1, 2}) mpz_set(firstVector[axis], o[axis]);
             mpz_set(firstScale, scale);
         }
     }

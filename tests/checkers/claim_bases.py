@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Protected facets for the claims of docs/lemma-claims.md, in exact fractions: arcs, protectors, boxes, and an interior refined to R <= h."""
 from fractions import Fraction as Q
+from math import isqrt
 
 C, K = Q(60, 61), 4                      # psi = 10.4 degrees, phi' = 41.6 degrees
 BETA = (Q(3479, 3721), Q(1320, 3721))    # 2 psi: cosine and sine
@@ -14,6 +15,16 @@ def sub(a, b):
 
 def dot(a, b):
     return sum(x * y for x, y in zip(a, b))
+
+
+def norm(a):
+    return dot(a, a)
+
+
+def exact_root(square):
+    result = Q(isqrt(square.numerator), isqrt(square.denominator))
+    assert result * result == square
+    return result
 
 
 def circle(a, b, c):
@@ -57,15 +68,19 @@ class Edge:
 class Square:
     """A protected square facet: points as (kind, edge or None, place), cells as (corners, kind). Numbers below 4 are its corners.
 
-    arcs: for each corner the points of its arc, in the frame of the edge that leaves it. interior: points that are there before Chew's refinement to R <= h (None: no refinement)."""
+    corners: of another polygon, counter-clockwise, with edges of rational lengths; then all that is said of four holds for their number. arcs: for each corner the points of its arc, in the frame of the edge that leaves it. interior: points that are there before Chew's refinement to R <= h (None: no refinement)."""
 
-    def __init__(self, side=3, h=H, edges=None, arcs=None, interior=(), denominator=256):
-        self.corners = [(Q(0), Q(0)), (Q(side), Q(0)), (Q(side), Q(side)), (Q(0), Q(side))]
+    def __init__(self, side=3, h=H, edges=None, arcs=None, interior=(), denominator=256, corners=None):
+        self.corners = corners or [(Q(0), Q(0)), (Q(side), Q(0)), (Q(side), Q(side)), (Q(0), Q(side))]
+        self.n = n = len(self.corners)
         self.points, self.cells, self.boxes, self.rows, self.insertions = [], [], [], [], []
-        edges, arcs = edges or [Edge()] * 4, arcs or [[MIDDLE]] * 4
-        frames = [((1, 0), (0, 1)), ((0, 1), (-1, 0)), ((-1, 0), (0, -1)), ((0, -1), (1, 0))]
+        edges, arcs = edges or [Edge()] * n, arcs or [[MIDDLE]] * n
         rims = []
-        for i, (along, inward) in enumerate(frames):
+        for i in range(n):
+            whole = sub(self.corners[(i + 1) % n], self.corners[i])
+            side = exact_root(norm(whole))
+            along = tuple(x / side for x in whole)
+            inward = (-along[1], along[0])
             place = lambda u, w: tuple(self.corners[i][k] + u * along[k] + w * inward[k] for k in (0, 1))
             e, row, shield = edges[i], [], []
             for k in range(e.count + 1):
@@ -75,12 +90,12 @@ class Square:
             rims.append([self.add("arc", None, place(u, w)) for u, w in arcs[i]])
             self.rows.append((i, row, shield))
         self.outline = []
-        for i in range(4):
+        for i in range(n):
             row, shield = self.rows[i][1:]
             last_row, last_shield = self.rows[i - 1][1:]
             end = last_shield[-1]
             if self.place(end) == self.place(shield[0]):  # protectors that meet: no spoke triangle
-                self.points[end - 4] = None
+                self.points[end - n] = None
                 last_shield[-1] = end = shield[0]
             ring = [shield[0]] + rims[i] + ([end] if end != shield[0] else [])
             self.cells.append(((i, row[0], shield[0]), "T"))
@@ -91,14 +106,14 @@ class Square:
             self.boxes += [(row[k], row[k + 1], shield[k + 1], shield[k]) for k in range(len(row) - 1)]
         for p in interior:
             self.add("interior", None, p)
-        self.refine(h, denominator, [len(self.points) + 4 - len(interior) + k for k in range(len(interior))])
+        self.refine(h, denominator, [len(self.points) + n - len(interior) + k for k in range(len(interior))])
 
     def add(self, kind, carrier, place):
         self.points.append((kind, carrier, place))
-        return 3 + len(self.points)
+        return self.n - 1 + len(self.points)
 
     def place(self, p):
-        return self.corners[p] if p < 4 else self.points[p - 4][2]
+        return self.corners[p] if p < self.n else self.points[p - self.n][2]
 
     def refine(self, h, denominator, interior):
         """Chew's refinement of the polygon of the outline."""
@@ -140,11 +155,13 @@ def tilted(cosine, sine):
 
 
 class Assembly:
-    """Faces (a Square, and where it lies) with common vertices and row points, as the parts of a certificate; numbers as in the text."""
+    """Faces (a Square, and where it lies) with common vertices and row points, as the parts of a certificate; numbers as in the text.
 
-    def __init__(self, m, faces, vertices=(), hanging=(), dim=3):
+    vertices: others, after the corners of the faces; first: vertices that come before all others."""
+
+    def __init__(self, m, faces, vertices=(), hanging=(), dim=3, first=()):
         self.faces, self.dim = faces, dim
-        self.vertices = []
+        self.vertices = list(first)
         for square, embed in faces:
             self.vertices += [v for v in map(embed, square.corners) if v not in self.vertices]
         self.vertices += [v for v in vertices if v not in self.vertices]
@@ -154,12 +171,13 @@ class Assembly:
         self.facets = [dict(corners=ring[:3], boundary=m.loop(ring)) for ring in loops]
         self.points, self.number, self.rows = [], [], {}
         for f, (square, embed) in enumerate(faces):
-            number = {i: loops[f][i] for i in range(4)}
-            for i, point in enumerate(square.points, 4):
+            n = square.n
+            number = {i: loops[f][i] for i in range(n)}
+            for i, point in enumerate(square.points, n):
                 if point is None:
                     continue
                 kind, edge, place = point
-                carrier = f if edge is None else self.segments.index(tuple(sorted((loops[f][edge], loops[f][(edge + 1) % 4]))))
+                carrier = f if edge is None else self.segments.index(tuple(sorted((loops[f][edge], loops[f][(edge + 1) % n]))))
                 entry = ("%s %d" % (kind, carrier), embed(place))
                 if entry not in self.points:
                     self.points.append(entry)
@@ -170,7 +188,7 @@ class Assembly:
             number = self.number[f]
             self.cells += [(f, tuple(number[p] for p in t), kind) for t, kind in square.cells]
             for edge, row, shield in square.rows:
-                a, b = loops[f][edge], loops[f][(edge + 1) % 4]
+                a, b = loops[f][edge], loops[f][(edge + 1) % square.n]
                 s = self.segments.index((min(a, b), max(a, b)))
                 row, shield = [number[p] for p in row], [number[p] for p in shield]
                 self.rows[(s, -1)] = ("%d %d" % (s, len(row)), row if a < b else row[::-1])

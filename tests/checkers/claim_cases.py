@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Claims about lemmas that hold by a hair, and that fail by one. The objects that fail are found here again, by formulas of their own."""
 from fractions import Fraction as Q
-from math import isqrt
 
-from claim_bases import BETA, C, H, K, MIDDLE, Assembly, Edge, Square, circle, dot, flat, sub, tilted
+from claim_bases import BETA, C, H, K, MIDDLE, Assembly, Edge, Square, circle, dot, exact_root, flat, norm, sub, tilted
 from malformed_cases import write_malformed_claims
 
 TINY = Q(1, 2 ** 80)
@@ -28,16 +27,6 @@ def chebyshev(j, c):
     for _ in range(j - 1):
         before, t = t, 2 * c * t - before
     return t
-
-
-def norm(a):
-    return dot(a, a)
-
-
-def exact_root(square):
-    result = Q(isqrt(square.numerator), isqrt(square.denominator))
-    assert result * result == square
-    return result
 
 
 class Cases:
