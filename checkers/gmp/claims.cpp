@@ -208,7 +208,7 @@ void reportRule(Check& check, const Claim& claim, const std::optional<Violation>
     report.violation = violation;
     report.failures = violation ? 1 : 0;
     const SmallestPower& smallest = claim.lemma == Lemma::l22 ? check.smallestHanging : check.smallest;
-    if ((claim.lemma != Lemma::l18 && claim.lemma != Lemma::l22) || smallest.cellLine == 0 || !std::isfinite(smallest.value)) return;
+    if ((claim.lemma != Lemma::l18 && claim.lemma != Lemma::l22) || !std::isfinite(smallest.value)) return;
     report.hasSlack = true;
     report.slack = smallest.value;
     report.line = smallest.cellLine;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace {
@@ -58,7 +59,7 @@ void reportText(const Options& options, const Check& check, const Outcome& outco
     if (reached(outcome, "carrier") && c.coplanar)
         std::puts("all points lie in one plane: the statement is about the planar Delaunay subdivisions");
     if (reached(outcome, "emptiness")) {
-        if (check.smallest.cellLine != 0)
+        if (check.smallest.exists())
             std::printf("smallest relative power off-plane %s: cell of line %llu, point %u\n", rounded(check.smallest.value).c_str(),
                         static_cast<unsigned long long>(check.smallest.cellLine), check.smallest.point);
         else
@@ -112,7 +113,7 @@ void reportJson(const Options& options, const Check& check, const Outcome& outco
     if (reached(outcome, "carrier")) text += std::string(",\"coplanar\":") + (c.coplanar ? "true" : "false");
     if (reached(outcome, "emptiness")) {
         text += ",\"smallest-relative-power\":";
-        if (check.smallest.cellLine == 0) text += "null";
+        if (!check.smallest.exists() || !std::isfinite(check.smallest.value)) text += "null";
         else
             text += "{\"value\":" + rounded(check.smallest.value) + ",\"cell-line\":" + std::to_string(check.smallest.cellLine) +
                     ",\"point\":" + std::to_string(check.smallest.point) + "}";

@@ -6,10 +6,12 @@
 
 #include <atomic>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <tuple>
 
 struct Violation {
     std::uint64_t line;
@@ -79,14 +81,12 @@ void inParallel(std::size_t count, unsigned threads, std::size_t piece, const Wo
 
 // The smallest relative power off-plane: for the reader only, no verdict rests on it.
 struct SmallestPower {
-    double value = 0;
-    std::uint64_t cellLine = 0;  // 0: there is no point off-plane
+    static constexpr std::uint64_t noLine = std::numeric_limits<std::uint64_t>::max();
+    double value = std::numeric_limits<double>::infinity();  // also of what is beyond doubles
+    std::uint64_t cellLine = noLine;                         // as long as there is no point off-plane
     std::uint32_t point = none;
-    bool betterThan(const SmallestPower& other) const {
-        if (other.cellLine == 0 || cellLine == 0) return cellLine != 0;
-        if (value != other.value) return value < other.value;
-        return cellLine != other.cellLine ? cellLine < other.cellLine : point < other.point;
-    }
+    bool exists() const { return cellLine != noLine; }
+    bool betterThan(const SmallestPower& other) const { return std::tie(value, cellLine, point) < std::tie(other.value, other.cellLine, other.point); }
 };
 
 struct ClaimReport {

@@ -2,9 +2,12 @@
 """The cases of make_certificates.py: accepted, rejected and declined ones here, malformed ones in malformed_cases.py."""
 from fractions import Fraction as Q
 
-from claim_cases import write_claims
+from claim_cases import Cases, write_claims
 from malformed_cases import write_malformed
 from mutant_cases import write_for_mutants
+from mutant_claims import write_claims_for_mutants
+from mutant_features import write_features_for_mutants
+from mutant_sizes import write_sizes_for_mutants
 from refutation_cases import write_refutations
 from facet_cases import write_facets
 from text_cases import write_text
@@ -22,6 +25,10 @@ def write_all(m):
     write_for_mutants(m)
     write_text(m)
     write_facets(m)
+    cases = Cases(m)
+    write_claims_for_mutants(m, cases)
+    write_sizes_for_mutants(m, cases)
+    write_features_for_mutants(m, cases)
 
 
 def write_accepted(m):

@@ -47,6 +47,32 @@ class Refutation:
         return c
 
 
+def wedge(m):
+    """Three facets at one edge, with small angles between their planes but none between their other segments: what makes a Refutation, and the planes."""
+    c, s = Q(24, 25), Q(7, 25)
+    flat, up, down = (lambda x, y: (Q(x), Q(y), Q(0))), (lambda x, y: (Q(x), y * c, y * s)), (lambda x, y: (Q(x), y * c, -y * s))
+    left, right = Q(-48, 5), Q(108, 5)
+    outer = [up(right, Q(36, 5)), up(right, Q(72, 5)), up(left, Q(72, 5)), up(left, Q(36, 5))]
+    lower = [down(right, Q(-36, 5)), down(right, Q(72, 5)), down(left, Q(72, 5)), down(left, Q(-36, 5))]
+    vertices = [flat(0, 0), flat(12, 0), flat(12, 12), flat(0, 12)] + outer + lower
+    rings = [[0, 1, 2, 3], [0, 1, 4, 5, 6, 7], [0, 1, 8, 9, 10, 11]]
+    parameters = ["r 1/1", "h " + m.rational(Q(3, 10)), "angle 4 " + m.rational(Q(60, 61)), "offset 1", "chord 1"]
+    return (lambda points, cells: Refutation(m, 3, vertices, rings, parameters, points, cells)), flat, up, down
+
+
+def cap(m, r):
+    """W2: a spoke triangle, and a T cell of another facet."""
+    vertices = [(Q(0), Q(0), Q(0)), (Q(12), Q(0), Q(0)), (Q(0), Q(12), Q(0)), (Q(12), Q(12), Q(1))]
+    foot = tuple(r * Q(40, 41) * x / 17 for x in vertices[3])
+    across, length = (145, -144, -12), Q(204707, 1000)   # orthogonal to the segment, in the facet; its length
+    tip = tuple(foot[i] + r * Q(9, 41) / length * across[i] for i in range(3))
+    p, q = (r * Q(4, 5), r * Q(3, 5), Q(0)), (r * Q(3, 5), r * Q(4, 5), Q(0))
+    parameters = ["r " + m.rational(r), "h " + m.rational(r / 4), "angle 4 " + m.rational(Q(981, 1000)), "offset 1", "chord 1"]
+    points = [("projection", 2, foot), ("offset", 1, tip), ("arc", 0, p), ("arc", 0, q)]
+    v = vertices[0]
+    return Refutation(m, 3, vertices, [[0, 1, 2], [0, 1, 3]], parameters, points, [(0, (v, p, q), "S"), (1, (v, tip, foot), "T")])
+
+
 def write_refutations(m):
     cases = Writer(m)
     cases.crossing()
@@ -139,15 +165,9 @@ class Writer:
     def cap(self):
         """W2: the projection on a segment of another facet lies in the sphere of a spoke triangle."""
         m, r = self.m, Q(1, 7)
-        vertices = [(Q(0), Q(0), Q(0)), (Q(12), Q(0), Q(0)), (Q(0), Q(12), Q(0)), (Q(12), Q(12), Q(1))]
-        foot = tuple(r * Q(40, 41) * x / 17 for x in vertices[3])
-        across, length = (145, -144, -12), Q(204707, 1000)   # orthogonal to the segment, in the facet; its length
-        tip = tuple(foot[i] + r * Q(9, 41) / length * across[i] for i in range(3))
-        p, q = (r * Q(4, 5), r * Q(3, 5), Q(0)), (r * Q(3, 5), r * Q(4, 5), Q(0))
-        parameters = ["r " + m.rational(r), "h " + m.rational(r / 4), "angle 4 " + m.rational(Q(981, 1000)), "offset 1", "chord 1"]
-        points = [("projection", 2, foot), ("offset", 1, tip), ("arc", 0, p), ("arc", 0, q)]
-        v = vertices[0]
-        base = Refutation(m, 3, vertices, [[0, 1, 2], [0, 1, 3]], parameters, points, [(0, (v, p, q), "S"), (1, (v, tip, foot), "T")])
+        base = cap(m, r)
+        vertices, parameters, points = base.vertices, base.parameters, base.points
+        foot, tip, p, q = (place for _, _, place in points)
         power = base.power(0, foot)
         assert power == Q(-6400, 200039) * r * r
         evidence, thing = [0, 4, m.rational(power)], "cell-0-point-4"
@@ -175,16 +195,9 @@ class Writer:
     def wedge(self):
         """Two or three facets at one edge, with small angles between their planes but none between their other segments."""
         m = self.m
-        c, s = Q(24, 25), Q(7, 25)
-        flat, up, down = (lambda x, y: (Q(x), Q(y), Q(0))), (lambda x, y: (Q(x), y * c, y * s)), (lambda x, y: (Q(x), y * c, -y * s))
-        left, right = Q(-48, 5), Q(108, 5)
-        outer = [up(right, Q(36, 5)), up(right, Q(72, 5)), up(left, Q(72, 5)), up(left, Q(36, 5))]
-        lower = [down(right, Q(-36, 5)), down(right, Q(72, 5)), down(left, Q(72, 5)), down(left, Q(-36, 5))]
-        v = flat(0, 0)
-        vertices = [v, flat(12, 0), flat(12, 12), flat(0, 12)] + outer + lower
-        rings = [[0, 1, 2, 3], [0, 1, 4, 5, 6, 7], [0, 1, 8, 9, 10, 11]]
-        parameters = ["r 1/1", "h " + m.rational(Q(3, 10)), "angle 4 " + m.rational(Q(60, 61)), "offset 1", "chord 1"]
-        make = lambda points, cells: Refutation(m, 3, vertices, rings, parameters, points, cells)
+        make, flat, up, down = wedge(m)
+        vertices, (c, s) = make([], []).vertices, (Q(24, 25), Q(7, 25))
+        v = vertices[0]
 
         spoke = [flat(Q(12, 13), Q(5, 13)), flat(Q(20, 29), Q(21, 29))]
         other = [up(c, s), up(Q(4, 5), Q(3, 5))]

@@ -203,6 +203,7 @@ def check_command_line(checker):
         expect((some["H-ball"], some["L9"], some["L13"], some["L2"]) == (4, 2, 0, 12), "the objects of some cells")
         failed = json.loads(run(checker, crowded, "--json")[1])
         expect(failed["rule"] == "L1" and failed["claims"][0]["failures"] >= 1, "a claim that fails")
+        check_claims(checker, claims)
         report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
         coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
         expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
@@ -282,6 +283,26 @@ def check_limits(checker, folder, worked):
         for arguments, code in (((worked,), 70), ((worked, "--memory-limit", "40K"), 3)):
             done = subprocess.run([checker, *arguments], stdout=full, stderr=subprocess.DEVNULL, timeout=60)
             expect(done.returncode == code, "nowhere to write: %s %d" % (arguments, done.returncode))
+
+
+def check_claims(checker, claims):
+    """What a report says of claims that fail, and of some cells; and columns."""
+    some = {claim["id"]: claim["objects"] for claim in json.loads(run(checker, claims, "--json", "--cells", "2-5")[1])["claims"]}
+    expect([some[name] for name in ("H-ball", "H-offset", "L1", "L5", "L7", "L10", "L18", "L18b", "L20")] == [4, 2, 2, 1, 2, 2, 4, 4, 4], "the objects of cells 2 to 5")
+    # Each object that fails is counted once: both ends, both points; of two vertices, the pair.
+    for name, lemma, objects, count in (("H-angle", "H-angle", 4, 2), ("L6-last", "L6", 21, 2), ("L21-vertices", "L21", 2, 1), ("L18", "L18", 1, 1), ("no-h-L1", "L1", 0, 0)):
+        report = json.loads(run(checker, os.path.join(CERTIFICATES, "reject", "claim-%s.cert" % name), "--json")[1])
+        claim = next(claim for claim in report["claims"] if claim["id"] == lemma)
+        expect((claim["objects"], claim["failures"]) == (objects, count), "%s: %s" % (name, claim))
+    expected = {path: answer for path, _, answer in manifest()}
+    for name in ("claim-L1-last-cell", "claim-L9", "claim-L13", "claim-L16"):
+        path = os.path.join("reject", name + ".cert")
+        number = re.search(r"cell-(\d+)", expected[path]).group(1)
+        got = run(checker, os.path.join(CERTIFICATES, path), "--cells", "%s-%s" % (number, number))
+        expect(last_line(got[1]) == expected[path], "%s, the cell at fault alone: %s" % (name, last_line(got[1])))
+    for name, column in (("claims-h-zero", 3), ("claims-angle-one", 9), ("claims-ball-twice", 6), ("claims-row-B-second", 29)):
+        error = run(checker, os.path.join(CERTIFICATES, "malformed", name + ".cert"))[2]
+        expect(re.search(r"\.cert:\d+:%d: error" % column, error), "the column of %s: %s" % (name, error))
 
 
 def check_pipe(checker, folder):
