@@ -181,6 +181,8 @@ def write_local(m, k):
     order = [0, 2, 1] + list(range(3, len(c.cells)))
     k.bad("local-H-ball-second-corner", reordered(c, order), (), (), "H-ball", 1, "cell-1-point-%d" % base.cells[2][1][1],
           "a point just too far away: the first cell that has it has it right after the vertex")
+    twelve = Assembly(m, [(Square(edges=[Edge(Q(5, 13), Q(12, 13), Q(12, 13))] * 4), plane)], dim=2)
+    k.good("local-H-offset-A-exact", twelve, ["H-offset"], local(k, twelve, d=Q(5, 13), a=Q(12, 13)), "an offset of exactly r sin(arccos A)")
     spiral = lambda p: (4 * p[0] - p[1], p[0] + 4 * p[1])
     k.good("local-H-offset-exact", Assembly(m, [(Square(), spiral)], dim=2), ["H-offset"], local(k, flat2, r=4, d=4 * BETA[1]), "offsets of 17/16 of the square exactly")
     k.good("local-H-offset-B-dim2", flat2, ["H-offset"], local(k, flat2, b=Q(1, 2)), "B counts in dimension 3 only")
