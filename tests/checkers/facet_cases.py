@@ -251,6 +251,13 @@ def write_kinds(m):
     for name, order in (("C", "CSTR"), ("S", "STRC"), ("R", "RCST")):
         m.accept("kinds-first-" + name, changed(lambda c: setattr(c, "cells", [cell for kind in order for cell in of(c, kind)[::1 if kind == "R" else -1]])),
                  "every claim; the cells in another order, those of kind %s first" % name)
+
+    def other_halves(c):
+        for number, (_, (a, b, d, e)) in enumerate(k.flat2.boxes):
+            halves = [[(a, b, e), (b, d, e)], [(a, d, e), (a, b, d)], [(b, d, e), (a, b, e)]][number % 3]
+            for i, half in enumerate(halves):
+                c.cells[len(k.flat2.cells) + 2 * number + i] = "0 %d %d %d R %d" % (*half, number)
+    m.accept("kinds-other-halves", changed(other_halves), "every claim; boxes with their other diagonal, or the far half first")
     edge = next(outline_edges(k.flat2))[0]
     m.accept("kinds-first-outline", changed(lambda c: c.cells.insert(0, c.cells.pop(edge))), "every claim; the first cell is a C cell at the outline")
     number = next(i for i, cell in enumerate(k.flat2.cells) if cell[2] == "C" and i > 20)
