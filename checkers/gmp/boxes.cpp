@@ -2,6 +2,7 @@
 #include "boxes.h"
 
 #include <algorithm>
+#include <array>
 
 namespace {
 using Limits = std::numeric_limits<std::int64_t>;
@@ -42,9 +43,9 @@ BoxTree::BoxTree(std::vector<GridBox> boxes) : items_(std::move(boxes)) {
 void BoxTree::build(std::size_t first, std::size_t last) {
     GridBox box = items_[first];
     // Of the sums of both ends, by which items are split.
-    std::int64_t low[] = {Limits::max(), Limits::max(), Limits::max()}, high[] = {Limits::min(), Limits::min(), Limits::min()};
+    std::array<std::int64_t, 3> low{Limits::max(), Limits::max(), Limits::max()}, high{Limits::min(), Limits::min(), Limits::min()};
     for (std::size_t k = first; k < last; ++k)
-        for (int i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3; ++i) {
             box.low[i] = std::min(box.low[i], items_[k].low[i]);
             box.high[i] = std::max(box.high[i], items_[k].high[i]);
             low[i] = std::min(low[i], items_[k].low[i] + items_[k].high[i]);
@@ -53,8 +54,8 @@ void BoxTree::build(std::size_t first, std::size_t last) {
     const std::size_t number = nodes_.size();
     nodes_.push_back({box, 0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last - first)});
     if (last - first <= 4) return;
-    int axis = 0;
-    for (int i = 1; i < 3; ++i)
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
         if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
     const std::size_t middle = first + (last - first) / 2;
     const auto at = [this](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
