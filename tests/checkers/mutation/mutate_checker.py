@@ -260,9 +260,12 @@ class Judge:
                 yield number, os.path.relpath(answer.rstrip("\n").split("\t")[1], self.certificates) if "/" in answer else answer.rstrip("\n").split("\t")[1] or None
 
     @staticmethod
-    def on_command_lines(program, number, mutant=None):
+    def of_command_lines(mutant):
+        return mutant.file.split(".")[0] in ("input", "limits", "main", "report")
+
+    @staticmethod
+    def on_command_lines(program, number, frames=True):
         # What cuts frames of zstd starts a thousand processes.
-        frames = mutant is None or mutant.file.split(".")[0] in ("input", "limits", "main", "report")
         return Judge.on_script([sys.executable, "-B", os.path.join(HERE, "..", "run_certificates.py"), program, "--command-line", "--until-failure", *([] if frames else ["--no-frames"])],
                                number, "run_certificates.py --command-line")
 
@@ -360,9 +363,17 @@ class Round:
         judge = self.judge(folder, program, filter_test)
 
         def judge_some(numbers):
-            for number, by in judge.on_certificates(program, numbers):
+            left = []
+            for number in numbers:  # first what is most likely to notice
+                by = judge.of_command_lines(self.chosen[number]) and judge.on_command_lines(program, number, frames=False)
+                if by:
+                    self.record(self.chosen[number], by)
+                else:
+                    left.append(number)
+            for number, by in judge.on_certificates(program, left):
                 mutant = self.chosen[number]
-                self.record(mutant, by or (judge.on_filter(filter_test, number, mutant) if mutant.file in build.filter_files else None) or judge.on_command_lines(program, number, mutant))
+                self.record(mutant, by or (judge.on_filter(filter_test, number, mutant) if mutant.file in build.filter_files else None)
+                            or judge.on_command_lines(program, number, judge.of_command_lines(mutant)))
 
         waiting, jobs = [number for number in sorted(inside) if self.chosen[number].key not in self.results], self.options.jobs
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -375,7 +386,7 @@ class Round:
             if programs is None:
                 by = NOT_COMPILED
             else:
-                by = next(judge.on_certificates(programs[0], [-1]))[1] or judge.on_filter(programs[1], -1, mutant) or judge.on_command_lines(programs[0], -1, mutant)
+                by = next(judge.on_certificates(programs[0], [-1]))[1] or judge.on_filter(programs[1], -1, mutant) or judge.on_command_lines(programs[0], -1, judge.of_command_lines(mutant))
         self.record(mutant, by)
 
 
