@@ -58,19 +58,22 @@ let max_line = 1_048_576
 let max_index = 0x7fff_ffff
 let max_digits = 65_536
 
+(* Of a line that is too long, or that the text ends in: what is wrong within it comes first. *)
+let legible r stop =
+  for i = r.start to stop - 1 do
+    match r.text.[i] with ' ' .. '~' -> () | _ -> r.pos <- i; syntax r "a byte that is not printable ASCII"
+  done
+
 let next r =
   let from = r.eol + 1 in
   r.line <- r.line + 1;
   r.start <- from;
   r.pos <- from;
-  if from >= String.length r.text then fail r "E-TRUNCATED" "the text ends early";
-  match String.index_from_opt r.text from '\n' with
-  | Some e ->
-      if e - from > max_line then raise (Declined "too-large");
-      r.eol <- e
-  | None ->
-      if String.length r.text - from > max_line then raise (Declined "too-large");
-      fail r "E-TRUNCATED" "the last line has no LF"
+  let found = String.index_from_opt r.text from '\n' in
+  let stop = Option.value found ~default:(String.length r.text) in
+  if stop - from > max_line then (legible r (from + max_line); raise (Declined "too-large"));
+  if found = None then (legible r stop; fail r "E-TRUNCATED" "the text ends early");
+  r.eol <- stop
 
 let peek r = r.text.[r.pos] (* at the latest the LF *)
 let space r = if peek r = ' ' then r.pos <- r.pos + 1 else syntax r "one space expected"
@@ -305,6 +308,7 @@ let certificate text =
   if starts r "n" then fail r "E-COUNT" "more notes than announced";
   word r "parameters"; space r; word r "0"; finish r;
   let q = header r "points" in
+  if n + q > max_index + 1 then raise (Declined "too-large");
   let q_line = r.line + 1 in
   let steiner = records r q ~is:(tagged "q") ~after:(tagged "cells") (fun _ ->
       word r "q"; space r;

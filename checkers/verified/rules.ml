@@ -244,12 +244,15 @@ let tiling s (c : Reader.certificate) =
   Array.iteri (fun i (t : Reader.cell) ->
       List.iter (fun e ->
           Hashtbl.replace corners.(t.facet) (fst e) ();
-          if Hashtbl.mem edges.(t.facet) e then note w (c.t_line + i) "cell-%d-edge-%d-%d-twice" i (fst e) (snd e) else Hashtbl.replace edges.(t.facet) e i) (edge_list t)) c.cells;
+          let before = match Hashtbl.find_opt edges.(t.facet) e with Some (n, _) -> n | None -> 0 in
+          if before > 0 then note w (c.t_line + i) "cell-%d-edge-%d-%d-twice" i (fst e) (snd e);
+          Hashtbl.replace edges.(t.facet) e (before + 1, i)) (edge_list t)) c.cells;
   Array.iteri (fun n (f : Reader.facet) ->
       let e = edges.(n) in
       if Hashtbl.length e = 0 then note w f.f_line "facet-%d-no-cell" n;
       let left = Hashtbl.create 64 in
-      Hashtbl.iter (fun (a, b) i -> if not (Hashtbl.mem e (b, a)) then Hashtbl.replace left (a, b) i) e;
+      let times edge = match Hashtbl.find_opt e edge with Some (n, _) -> n | None -> 0 in
+      Hashtbl.iter (fun (a, b) (n, last) -> if n > times (b, a) then Hashtbl.replace left (a, b) last) e;
       let chain (a, b) =
         match find_segment s (a, b) with
         | None -> []

@@ -305,7 +305,7 @@ class Statements {
       };
       count.require(kernel_.evaluate([&](const auto& g) { return g.squared(h_) - g.number(4096) * square(from_centre(g, insertion.point)); }).sign >= 0,
                     [&] { return fmt::format("point-{}", insertion.point); });
-      const double reach = h_.bounded.value * (std::sqrt(1 + std::min(count.smallest(), 1e12)) + 0x1p-5);
+      const double reach = Space::reach(h_.bounded.value, 1 + count.smallest()) + h_.bounded.value * 0x1p-5;
       const auto distance = [&](int x) {
         const auto& q = kernel_.space().approximate(x);
         return std::hypot(q[0] - middle[0], q[1] - middle[1], q[2] - middle[2]);
@@ -342,7 +342,7 @@ class Statements {
   void test_cell(Count& count, const PointIndex& index, int cell, int skipped, bool off_plane_only) {
     const CellSphere sphere(kernel_, instance_.cells[cell].corners);
     const FacetId facet = instance_.cells[cell].facet;
-    sphere.visit(index, std::min(count.smallest(), 1e20), [&](int id) {
+    sphere.visit(index, count.smallest(), [&](int id) {
       if (id == skipped) return;
       const Signed power = sphere.power(id);
       const auto name = [&] { return cell_and_point(cell, id); };

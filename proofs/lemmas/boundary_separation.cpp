@@ -21,7 +21,7 @@ void boundary_separation(const Instance& instance, Tally& tally) {
   for (const int x : points) {
     int nearest = -1;
     mpq_class least;
-    const double reach = spacing * std::sqrt(1 + std::clamp(tally.smallest(), 0.0, 1e12)) * (1 + 0x1p-40) + 4 * Space::position_error;
+    const double reach = Space::reach(spacing, 1 + std::max(0.0, tally.smallest())) + 4 * Space::position_error;
     of_facet[instance.carriers[x]].visit_ball(space.approximate(x), reach, [&](int y) {
       if (y == x) return false;
       mpq_class distance = squared(minus(instance.positions[x], instance.positions[y]));

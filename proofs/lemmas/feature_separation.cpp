@@ -133,7 +133,7 @@ class Separation {
     tally_.fail(violation_line_, violation_);
     return false;
   }
-  double limit() const { return approximate_threshold_ * std::sqrt(1 + std::clamp(tally_.smallest(), 0.0, 1e12)) * (1 + 0x1p-30); }
+  double limit() const { return Space::reach(approximate_threshold_, 1 + std::max(0.0, tally_.smallest())) + 4 * Space::position_error; }
 
   template <class Distance>
   void search(const BoundingVolumes& volumes, Distance distance, const std::vector<int>& lines, int own_line, const char* word) {

@@ -53,7 +53,7 @@ void hanging_empty(const Instance& instance, Tally& tally) {
     const auto &low = space.approximate(a), &high = space.approximate(b);
     const PointIndex::Position middle{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2};
     const double approximate_length = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    const double reach = approximate_length * std::sqrt(0.25 + std::clamp(tally.smallest(), 0.0, 1e12)) * (1 + 0x1p-40) + 4 * Space::position_error;
+    const double reach = Space::reach(approximate_length, 0.25 + std::max(0.0, tally.smallest())) + 4 * Space::position_error;
     int inside = -1;
     all.visit_ball(middle, reach, [&, a = a, b = b](int id) {
       if (id == a || id == b) return false;

@@ -56,7 +56,7 @@ void insertions(const Instance& instance, Tally& tally) {
       const RationalVector centre = plus(p[a], from_a);
       if (squared(from_a) <= h || 4096 * squared(minus(p[insertion.point], centre)) > h) good = false;
       // The point is within h/64 of the centre: a search around it finds what is near the centre.
-      const double reach = spacing * (std::sqrt(1 + std::clamp(tally.smallest(), 0.0, 1e12)) + 0x1p-6) * (1 + 0x1p-40) + 4 * Space::position_error;
+      const double reach = Space::reach(spacing, 1 + std::max(0.0, tally.smallest())) + spacing * 0x1p-5 + 4 * Space::position_error;
       state.points.visit_ball(space.approximate(insertion.point), reach, [&](int id) {
         const mpq_class slack = squared(minus(p[id], centre)) / h - 1;
         if (slack <= 0) good = false;

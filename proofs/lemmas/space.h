@@ -2,6 +2,8 @@
 // The points of an instance for searches: scaled to magnitude 1, approximated with error bounds, indexed.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -24,6 +26,9 @@ class Space {
   Bounded scaled(const mpq_class& length) const;
   /// A lower bound of how far approximate positions are from the true ones: radii of searches are to be enlarged by it.
   static constexpr double position_error = 0x1p-50;
+  /// length * sqrt(square), both of them rounded and not exact: a radius within which everything is that a slack below `square` (perhaps
+  /// infinite) speaks of. No two points are farther apart than 4.
+  static double reach(double length, double square) { return std::min(4.0, length * std::sqrt(std::max(0.0, square)) * (1 + 0x1p-30)); }
 
   /// An index of the points that the filter accepts.
   PointIndex index(const std::function<bool(int)>& accepted) const;

@@ -40,6 +40,8 @@ def write_features(m, k):
         c = triangle(m, [p, q], [(3, 4)], at=at)
         k.bad("L21-slanted-" + name, claim(c, tiny), (), (), "L21", "f 0 1 2", "facet-0-segment-3", "a slanted segment through a facet, away from the origin")
     k.good("L21-in-plane", claim(triangle(m, [(20, 1, 0), (21, 2, 0)], [(3, 4)]), tiny), (), (), "a segment in the plane of a facet, beside it")
+    c = m.Certificate(3, [(0, 0, 0), (1, 0, 0), (2**22, 3, 0)], [(0, 1)], [], hanging=[(0, 0, 1)])
+    k.good("L22-far", claiming(c, [], L22=1), (), (), "a hanging edge with nothing near: the slack is large, and is found")
     # With `row` alone: the ends of the segment count as its parts only.
     row = ["row 3 %s 1/2 1/2 1/2 1/2" % m.rational(TINY)]
     for name, ends in (("first", [(3, 3, 0), (3, 3, 9)]), ("second", [(3, 3, 9), (3, 3, 0)])):
