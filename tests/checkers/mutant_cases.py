@@ -127,23 +127,32 @@ def write_pairs(m):
 
 
 def write_details(m):
-    """Many points in one cell of the grid, because another one is very far away; then the same without a common denominator."""
-    around = [(x, y, z) for z in (-3, 3) for y in range(-3, 6, 2) for x in range(-3, 6, 2)]
-    far = (2 ** 90, -2 ** 91, 2 ** 89)
-    for name, others in [("", [far]), ("weights-", [far] + [(Q(2 ** 90 + 3 * k, 10 ** 40 + 7919 * k), 6, 5) for k in range(12)])]:
-        c = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=around + others)
-        for place, where, just in [(20, (2, 4, 2), (2, 4, 2 + Q(1, 2 ** 90))), (40, (2, 0, -2), (2, 0, -2 - Q(1, 2 ** 90)))]:
-            c.vertices[place] = just
-            m.accept("detail-%s%d-just-outside" % (name, place), c, "a point by 2^-90 outside the sphere, among many in one cell of the grid")
+    """So many points in one cell of the grid, because others are very far away, that they get a tree of their own; then the same without a common
+    denominator, and far from the origin."""
+    around = [(x, y, z) for z in (-3, 3) for y in range(-3, 6) for x in range(-3, 6)]
+    far, spread = (2 ** 90, -2 ** 91, 2 ** 89), [(sign * k * 2 ** 87, sign * (19 - k) * 2 ** 87, sign * k * k * 2 ** 83) for k in range(1, 19) for sign in (1, -1)]
+    weights = [(Q(2 ** 90 + 3 * k, 10 ** 40 + 7919 * k), 6, 5) for k in range(12)]
+    for name, others, shift in [("", [far], 0), ("weights-", [far] + weights, 0), ("positive-", spread, 2 ** 86), ("negative-", spread, -2 ** 86)]:
+        def moved(c):
+            c.vertices = [v if v in others else tuple(x + shift for x in v) for v in c.vertices]
+            return c
+        def facet(place, where):
+            c = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=around + others)
             c.vertices[place] = where
-            m.reject("detail-%s%d-on" % (name, place), c, "emptiness", "t 0 0 1 2 C", "cell-0-point-%d" % place, "the same exactly on the sphere")
-            c.vertices[place] = (8, 8, place)
-        c = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=[(0, 0, 5), (0, 0, 9)] + around + others, segments=[(3, 4)])
-        c.vertices[21] = (0, 2, 7 + Q(1, 2 ** 90))
-        c.hanging = [(3, 3, 4)]
-        m.accept("detail-%shanging-just-outside" % name, c, "a vertex by 2^-90 outside the ball of a hanging edge, among many in one cell of the grid")
-        c.vertices[21] = (0, 2, 7)
-        m.reject("detail-%shanging-on" % name, c, "hanging", "h 3 3 4", "subsegment-0-point-21", "the same exactly on the ball")
+            return moved(c)
+        for place, on, just in [(90, (2, 4, 2), (2, 4, 2 + Q(1, 2 ** 90))), (100, (2, 0, -2), (2, 0, -2 - Q(1, 2 ** 90)))]:
+            m.accept("detail-%s%d-just-outside" % (name, place), facet(place, just), "a point by 2^-90 outside the sphere, among many in one cell of the grid")
+            m.reject("detail-%s%d-on" % (name, place), facet(place, on), "emptiness", "t 0 0 1 2 C", "cell-0-point-%d" % place, "the same exactly on the sphere")
+        def hanging(where):
+            c = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=[(0, 0, 5), (0, 0, 9)] + around + others, segments=[(3, 4)])
+            c.vertices[95] = where
+            c.hanging = [(3, 3, 4)]
+            return moved(c)
+        m.accept("detail-%shanging-just-outside" % name, hanging((0, 2, 7 + Q(1, 2 ** 90))), "a vertex by 2^-90 outside the ball of a hanging edge, among many in one cell of the grid")
+        m.reject("detail-%shanging-on" % name, hanging((0, 2, 7)), "hanging", "h 3 3 4", "subsegment-0-point-95", "the same exactly on the ball")
+    side = 2 ** 70
+    above = [(x, y, z + 4 * side - (2 ** 38 if k == 97 else 0)) for k, (x, y, z) in enumerate(around)]
+    m.accept("detail-above", m.planar([(0, 0), (side, 0), (0, side)], [0, 1, 2], extra=above + spread), "the smallest relative power is that of a detail, far outside the sphere: REPORTS.tsv has it")
 
 
 def write_hanging(m):

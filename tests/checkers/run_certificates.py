@@ -208,6 +208,7 @@ def check_command_line(checker):
         coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
         expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
         check_large(checker, file, text)
+        check_many_points(checker, file)
         check_limits(checker, folder, worked)
         check_pipe(checker, folder)
         if shutil.which("zstd") and "--no-frames" not in sys.argv:
@@ -237,6 +238,29 @@ def check_large(checker, file, text):
         expect(last_line(wrong[1]) == "s REJECTED hash %d digest" % last, "a changed note, %s threads: %s" % (threads, last_line(wrong[1])))
         cut = run(checker, file("cut", body[:-100]), "--threads", threads)
         expect(cut[0] == 2 and "E-" in cut[2], "a large certificate that ends early, %s threads" % threads)
+
+
+def check_many_points(checker, file):
+    """So many points that two threads build the tree over them: what is in each quarter of it has to be found."""
+    count = 30000
+    vertices = [b"v %x %x %x 1\n" % (4 * (i % 50) + end, 4 * (i // 50 % 20), 4 * (i // 1000)) for i in range(count) for end in (0, 1)]
+    rest = b"segments %d\n" % count + b"".join(b"s %d %d\n" % (2 * i, 2 * i + 1) for i in range(count)) + b"facets 0\nend\nclaims 1\nclaim conforms\nnotes 0\nparameters 0\npoints 0\ncells 0\nrows 0\n"
+    rest += b"hanging %d\n" % count + b"".join(b"h %d %d %d\n" % (i, 2 * i, 2 * i + 1) for i in range(count)) + b"evidence 0\n"
+
+    def certificate(near):
+        text = list(vertices)
+        if near is not None:  # the next segment begins in the middle of this one
+            text[2 * near + 2] = b"v %x %x %x 2\n" % (8 * (near % 50) + 1, 8 * (near // 50 % 20), 8 * (near // 1000))
+        body = b"confidel-certificate 1\nplc 1\ndim 3\nvertices %d\n" % (2 * count) + b"".join(text) + rest
+        return file("many", body + b"end %d %d 0 0 0 0 %d %s\n" % (2 * count, count, count, hashlib.sha256(body).hexdigest().encode())), body.count(b"\n") - count
+    path, first = certificate(None)
+    for threads in ("1", "2", "5"):
+        expect(last_line(run(checker, path, "--threads", threads)[1]) == "s VERIFIED", "60000 points, %s threads" % threads)
+    for near in range(1001, count, 4000):
+        path, first = certificate(near)
+        got = last_line(run(checker, path, "--threads", "2")[1])
+        expected = "s REJECTED hanging %d subsegment-%d-point-%d" % (first + near, near, 2 * near + 2)
+        expect(got == expected, "60000 points: %s, expected %s" % (got, expected))
 
 
 def check_limits(checker, folder, worked):

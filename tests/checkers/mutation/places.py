@@ -28,10 +28,22 @@ def closing(text, opening):
     raise ValueError("unbalanced")
 
 
+def has_or(condition):
+    """Is it alternatives? Then what is put before it would be a part of the first one only."""
+    depth = 0
+    for place, c in enumerate(condition):
+        depth += (c in "([{") - (c in ")]}")
+        if depth == 0 and condition.startswith(" || ", place):
+            return True
+    return False
+
+
 def early_exit(code, opening, stop):
-    """(place, text to put there) that keeps an `if` from leaving."""
+    """(place, text to put there) that keeps an `if` from leaving; a text that opens a parenthesis has it closed at the end of the condition."""
     head = code[opening + 1:stop]
     last = opening + 1 + head.rfind(";") + 1
+    if has_or(code[last:stop]):
+        return last, "false && ("
     if ";" in head:
         return last, " false && "
     name = re.match(r"\s*(?:const )?auto\*? (\w+) = ", head)
@@ -78,11 +90,15 @@ class Mutant:
         end = text.find("\n", place)
         self.file, self.kind, self.line = name, kind, text.count("\n", 0, place) + 1
         self.place, self.length, self.replacement, self.original = place, length, replacement, text
+        # Where a parenthesis that the replacement opens is closed.
+        self.end = closing(code_only(text), text.rindex("if (", 0, place) + 3) if replacement.endswith("(") else None
         indent = len(text[start:end]) - len(text[start:end].lstrip())
         self.key = "\t".join([name, text[start:end].strip(), str(place - start - indent), "%s -> %s" % (text[place:place + length], replacement)])
 
     @property
     def text(self):
+        if self.end is not None:
+            return self.original[:self.place] + self.replacement + self.original[self.place:self.end] + ")" + self.original[self.end:]
         return self.original[:self.place] + self.replacement + self.original[self.place + self.length:]
 
 

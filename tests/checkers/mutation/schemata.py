@@ -65,6 +65,8 @@ def instrumented(text, mutants):
             edits.append((place, WITHIN, 0, " + mutant::on(%d)" % number))
         elif mutant.kind == "early":
             edits.append((place, WITHIN, 0, mutant.replacement.replace("false", "!mutant::on(%d)" % number)))
+            if mutant.end is not None:
+                edits.append((mutant.end, WITHIN, 0, ")"))
         elif mutant.kind == "connective":
             regions.setdefault(region(code, place), []).append((number, mutant))
     for (start, end), inside in regions.items():
