@@ -207,10 +207,10 @@ def check_command_line(checker):
         report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
         coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
         expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
-        check_large(checker, file, text)
-        check_many_points(checker, file)
         check_limits(checker, folder, worked)
         check_pipe(checker, folder)
+        check_large(checker, file, text)
+        check_many_points(checker, file)
         if shutil.which("zstd") and "--no-frames" not in sys.argv:
             for level in ("-1", "-19"):
                 packed = os.path.join(folder, "packed")
