@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,9 +26,15 @@ std::size_t resident_memory() {
 }  // namespace
 
 std::size_t peak_memory() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  // Not getrusage: its ru_maxrss begins with that of the process that called exec, which may have been larger.
+  std::FILE* file = std::fopen("/proc/self/status", "r");
+  if (file == nullptr) return 0;
+  char line[256];
+  unsigned long kilobytes = 0;
+  while (std::fgets(line, sizeof line, file) != nullptr)
+    if (std::sscanf(line, "VmHWM: %lu kB", &kilobytes) == 1) break;
+  std::fclose(file);
+  return kilobytes * 1024;
 }
 
 Meter::Meter(double time_limit, std::size_t memory_limit, bool show)

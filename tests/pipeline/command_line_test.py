@@ -204,6 +204,9 @@ def check_output(programs, folder):
         programs.expect(report.get(key) is not None, "--json: no " + key)
     programs.expect({"read", "features", "placement", "write", "check", "total"} <= set(report["seconds"]), "--json: seconds by stage")
     programs.expect(report["checker"]["complex"] == {"sha256": report["complex_sha256"], "compared": True}, "the checker compared the complex")
+    ballast = b"x" * (300 << 20)  # a process begins with the peak of the one that starts it, by getrusage
+    report = json.JSONDecoder().raw_decode(programs.run("conform", W3, "-o", out, "--json")[1])[0]
+    programs.expect(report["peak_memory_bytes"] < len(ballast), "peak memory of a small input from a large process: %d" % report["peak_memory_bytes"])
     os.unlink(out)
 
 
