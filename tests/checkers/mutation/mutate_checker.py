@@ -264,9 +264,14 @@ class Judge:
         return mutant.file.split(".")[0] in ("input", "limits", "main", "report")
 
     @staticmethod
-    def on_command_lines(program, number, frames=True):
-        # What cuts frames of zstd starts a thousand processes.
-        return Judge.on_script([sys.executable, "-B", os.path.join(HERE, "..", "run_certificates.py"), program, "--command-line", "--until-failure", *([] if frames else ["--no-frames"])],
+    def of_trees(mutant):
+        return mutant.file.split(".")[0] in ("index", "empty", "cluster", "group", "rules")
+
+    @staticmethod
+    def on_command_lines(program, number, frames, many):
+        # What cuts frames of zstd starts a thousand processes, and sixty thousand points take long where everything is asked whether it is changed.
+        options = [*([] if frames else ["--no-frames"]), *([] if many else ["--no-many"])]
+        return Judge.on_script([sys.executable, "-B", os.path.join(HERE, "..", "run_certificates.py"), program, "--command-line", "--until-failure", *options],
                                number, "run_certificates.py --command-line")
 
     @staticmethod
@@ -352,7 +357,7 @@ class Round:
 
     def judge(self, folder, program, filter_test=None):
         judge = Judge(program, folder, self.options.changed)
-        own = next(judge.on_certificates(program, [-1]))[1] or judge.on_command_lines(program, -1) or judge.on_filter(filter_test, -1, None)
+        own = next(judge.on_certificates(program, [-1]))[1] or judge.on_command_lines(program, -1, True, True) or judge.on_filter(filter_test, -1, None)
         if own:
             sys.exit("with no mutant in force, the program fails: " + own)
         return judge
@@ -365,7 +370,7 @@ class Round:
         def judge_some(numbers):
             left = []
             for number in numbers:  # first what is most likely to notice
-                by = judge.of_command_lines(self.chosen[number]) and judge.on_command_lines(program, number, frames=False)
+                by = judge.of_command_lines(self.chosen[number]) and judge.on_command_lines(program, number, False, False)
                 if by:
                     self.record(self.chosen[number], by)
                 else:
@@ -373,7 +378,7 @@ class Round:
             for number, by in judge.on_certificates(program, left):
                 mutant = self.chosen[number]
                 self.record(mutant, by or (judge.on_filter(filter_test, number, mutant) if mutant.file in build.filter_files else None)
-                            or judge.on_command_lines(program, number, judge.of_command_lines(mutant)))
+                            or judge.on_command_lines(program, number, judge.of_command_lines(mutant), judge.of_trees(mutant)))
 
         waiting, jobs = [number for number in sorted(inside) if self.chosen[number].key not in self.results], self.options.jobs
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -386,7 +391,7 @@ class Round:
             if programs is None:
                 by = NOT_COMPILED
             else:
-                by = next(judge.on_certificates(programs[0], [-1]))[1] or judge.on_filter(programs[1], -1, mutant) or judge.on_command_lines(programs[0], -1, judge.of_command_lines(mutant))
+                by = next(judge.on_certificates(programs[0], [-1]))[1] or judge.on_filter(programs[1], -1, mutant) or judge.on_command_lines(programs[0], -1, judge.of_command_lines(mutant), judge.of_trees(mutant))
         self.record(mutant, by)
 
 
