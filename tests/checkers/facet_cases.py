@@ -362,11 +362,11 @@ def write_near(m):
     c.claims.append("claim L21 2")
     c.parameters = ["ball 1 1/1"]
     m.reject("claim-L21-first-vertex", c, "L21", "v 2 0 0 1", "vertex-1-vertex-0", "the first of all entities is too near")
-    # Cells of the grid on both sides of a corner of them all: their boxes touch. A pair with a slack of 0 comes before, so that the search goes no farther than that.
-    far = m.Certificate(3, [(100, 0, 0), (104, 0, 0), (-1, -1, -1), (1, 1, 1), (2 ** 90, 0, 0), (-2 ** 90, 2 ** 90, -2 ** 90)], [], [])
+    # Cells of the grid, which is counted from vertex 0, on both sides of an edge of them: their boxes touch. A pair with a slack of 0 comes before, so that the search goes no farther than that.
+    far = m.Certificate(3, [(0, 0, 0), (4, 0, 0), (-1, -1, 50), (1, 1, 50), (2 ** 90, 0, 0), (-2 ** 90, 2 ** 90, -2 ** 90)], [], [])
     far.claims.append("claim L21 6")
     far.parameters = ["r 4/3"]
-    m.reject("claim-L21-neighbouring-cells", far, "L21", "v 1 1 1 1", "vertex-3-vertex-2", "two vertices just closer than 3 r, in cells of the grid that touch")
+    m.reject("claim-L21-neighbouring-cells", far, "L21", "v 1 1 32 1", "vertex-3-vertex-2", "two vertices just closer than 3 r, in cells of the grid that touch")
     c = m.Certificate(3, [(0, 0, 0), (1000, 0, 0)] + [(k, k * k, 1) for k in range(1, 9)], [], [])
     c.claims.append("claim L21 10")
     # Slacks that differ by little, that of the later pair is smaller: REPORTS.tsv has it. The unit of the grid is 1.

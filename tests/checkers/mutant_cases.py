@@ -126,30 +126,42 @@ def write_pairs(m):
     m.reject("offset-huge", huge, "emptiness", "t 1 3 4 5 C" + offset, "cell-1-point-6", "an offset of -2^1100, which as a double is infinite, along (0,0,16)")
 
 
+def behind(c, first):
+    """The same with one more vertex before all others, from which the grid is counted."""
+    c.vertices.insert(0, first)
+    c.segments = [(a + 1, b + 1) for a, b in c.segments]
+    for facet in c.facets:
+        facet["corners"] = [v + 1 for v in facet["corners"]]
+        facet["boundary"] = [(a + 1, b + 1) for a, b in facet["boundary"]]
+    c.cells = ["%s %d %d %d %s" % (f, int(a) + 1, int(b) + 1, int(d) + 1, kind) for f, a, b, d, kind in (cell.split() for cell in c.cells)]
+    c.hanging = [(s, a + 1, b + 1) for s, a, b in c.hanging]
+    return c
+
+
 def write_details(m):
     """So many points in one cell of the grid, because others are very far away, that they get a tree of their own; then the same without a common
-    denominator, and far from the origin."""
+    denominator, and far from the first vertex on either side."""
     around = [(x, y, z) for z in (-3, 3) for y in range(-3, 6) for x in range(-3, 6)]
     far, spread = (2 ** 90, -2 ** 91, 2 ** 89), [(sign * k * 2 ** 87, sign * (19 - k) * 2 ** 87, sign * k * k * 2 ** 83) for k in range(1, 19) for sign in (1, -1)]
     weights = [(Q(2 ** 90 + 3 * k, 10 ** 40 + 7919 * k), 6, 5) for k in range(12)]
-    for name, others, shift in [("", [far], 0), ("weights-", [far] + weights, 0), ("positive-", spread, 2 ** 86), ("negative-", spread, -2 ** 86)]:
-        def moved(c):
-            c.vertices = [v if v in others else tuple(x + shift for x in v) for v in c.vertices]
-            return c
+    for name, others, first in [("", [far], None), ("weights-", [far] + weights, None), ("positive-", spread, -2 ** 89), ("negative-", spread, 2 ** 89)]:
+        by = 0 if first is None else 1
+        placed = lambda c: c if first is None else behind(c, (first, first, first))
         def facet(place, where):
             c = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=around + others)
             c.vertices[place] = where
-            return moved(c)
-        for place, on, just in [(90, (2, 4, 2), (2, 4, 2 + Q(1, 2 ** 90))), (100, (2, 0, -2), (2, 0, -2 - Q(1, 2 ** 90)))]:
+            return placed(c)
+        cell = "t 0 %d %d %d C" % (by, by + 1, by + 2)
+        for place, on, just in [(60, (2, 4, 2), (2, 4, 2 + Q(1, 2 ** 90))), (100, (2, 0, -2), (2, 0, -2 - Q(1, 2 ** 90))), (140, (4, 2, 2), (4, 2, 2 + Q(1, 2 ** 90)))]:
             m.accept("detail-%s%d-just-outside" % (name, place), facet(place, just), "a point by 2^-90 outside the sphere, among many in one cell of the grid")
-            m.reject("detail-%s%d-on" % (name, place), facet(place, on), "emptiness", "t 0 0 1 2 C", "cell-0-point-%d" % place, "the same exactly on the sphere")
+            m.reject("detail-%s%d-on" % (name, place), facet(place, on), "emptiness", cell, "cell-0-point-%d" % (place + by), "the same exactly on the sphere")
         def hanging(where):
             c = m.planar([(0, 0), (4, 0), (0, 4)], [0, 1, 2], extra=[(0, 0, 5), (0, 0, 9)] + around + others, segments=[(3, 4)])
             c.vertices[95] = where
             c.hanging = [(3, 3, 4)]
-            return moved(c)
+            return placed(c)
         m.accept("detail-%shanging-just-outside" % name, hanging((0, 2, 7 + Q(1, 2 ** 90))), "a vertex by 2^-90 outside the ball of a hanging edge, among many in one cell of the grid")
-        m.reject("detail-%shanging-on" % name, hanging((0, 2, 7)), "hanging", "h 3 3 4", "subsegment-0-point-95", "the same exactly on the ball")
+        m.reject("detail-%shanging-on" % name, hanging((0, 2, 7)), "hanging", "h 3 %d %d" % (3 + by, 4 + by), "subsegment-0-point-%d" % (95 + by), "the same exactly on the ball")
     side = 2 ** 70
     above = [(x, y, z + 4 * side - (2 ** 38 if k == 97 else 0)) for k, (x, y, z) in enumerate(around)]
     m.accept("detail-above", m.planar([(0, 0), (side, 0), (0, side)], [0, 1, 2], extra=above + spread), "the smallest relative power is that of a detail, far outside the sphere: REPORTS.tsv has it")
