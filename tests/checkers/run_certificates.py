@@ -232,7 +232,13 @@ def check_large(checker, file, text):
     end = text[text.rindex(b"\nend ") + 1:-65]
     digest = hashlib.sha256(body).hexdigest().encode()
     last = body.count(b"\n") + 1
-    large = file("large", body + end + digest + b"\n")
+    whole = body + end + digest + b"\n"
+    large = file("large", whole)
+    # As a frame it is larger than the buffers, and its last block too: there is text left when the file has ended.
+    parts = [whole[i:i + 131072] for i in range(0, len(whole), 131072)]
+    frame = make_certificates.zstd_frame([(0, len(part), part) for part in parts], window=7 << 3)
+    for cut, expected in ((frame, 0), (frame[:len(frame) // 2], 2)):
+        expect(run(checker, file("frame", cut), "--threads", "1")[0] == expected, "%d of %d bytes of a frame" % (len(cut), len(frame)))
     for threads in ("1", "2", "7"):
         expect(run(checker, large, "--threads", threads)[0] == 0, "a large certificate, %s threads" % threads)
         wrong = run(checker, file("wrong", body.replace(b"n filler 39999 a", b"n filler 39999 b") + end + digest + b"\n"), "--threads", threads)
