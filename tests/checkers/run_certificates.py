@@ -167,7 +167,13 @@ def check_command_line(checker):
                 ((crowded, "--cells", "0-0"), 3, "s UNDECIDED cells-0-0"),
                 ((os.path.join(CERTIFICATES, "reject", "emptiness-off-plane-in.cert"), "--cells", "0-0"), 5, "s REJECTED emptiness 28 cell-0-point-3"),
                 ((os.path.join(CERTIFICATES, "reject", "emptiness-off-plane-in.cert"), "--cells", "1-1"), 3, "s UNDECIDED cells-1-1"),
-                (("--help",), 0, None), (("--version",), 0, None),
+                (("--help",), 0, None), (("--version",), 0, None), (("-",), 4, None), (("a-missing-file",), 4, None), ((worked, "-x"), 2, None),
+                ((worked, "--threads", "1024"), 0, "s VERIFIED"), ((worked, "--threads", "1025"), 2, None), ((worked, "--threads", ""), 2, None),
+                ((worked, "--memory-limit", "100000000000000000"), 0, "s VERIFIED"), ((worked, "--memory-limit", "1000000000000000000"), 2, None),
+                ((worked, "--memory-limit", "4294967296G"), 0, "s VERIFIED"), ((worked, "--memory-limit", "4294967297G"), 2, None),
+                ((worked, "--memory-limit", "0"), 2, None), ((worked, "--memory-limit", ""), 2, None), ((worked, "--memory-limit", "1"), 3, "s UNDECIDED memory-limit"),
+                ((worked, "--time-limit", "1000000000"), 0, "s VERIFIED"), ((worked, "--time-limit", "1000000001"), 2, None), ((worked, "--time-limit", ""), 2, None),
+                ((worked, "--time-limit", "1s"), 2, None), ((worked, "--time-limit", "1e3"), 2, None), ((worked, "--time-limit", "1.2.3"), 2, None), ((worked, "--time-limit", "9" * 400), 2, None),
                 ((worked, "--time-limit", "1000", "--memory-limit", "64M"), 0, "s VERIFIED"),
                 ((worked, "--memory-limit", "40K"), 3, "s UNDECIDED memory-limit")]:
             got = run(checker, *arguments)
@@ -175,6 +181,7 @@ def check_command_line(checker):
             if code == 2:
                 expect("error[E-USAGE]: " in got[2], "%s: no E-USAGE" % (arguments,))
         # A line that never ends is declined before it is read.
+        expect("--cells needs a number" in run(checker, worked, "--cells", "5")[2], "--cells with one number")
         got = run(checker, os.path.join(CERTIFICATES, "decline", "line-endless.cert"), "--memory-limit", "8M")
         expect(got[0] == 3 and last_line(got[1]) == "s UNDECIDED too-large", "an endless line: %d %s" % (got[0], last_line(got[1])))
         # Damage of the file given by --complex: the first block ends in its line 4, or everything is there, and more.
@@ -208,7 +215,7 @@ def check_command_line(checker):
         coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
         expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
         check_limits(checker, folder, worked)
-        check_pipe(checker, folder)
+        check_pipe(checker, folder, worked)
         check_large(checker, file, text)
         if "--no-many" not in sys.argv:
             check_many_points(checker, file)
@@ -226,19 +233,28 @@ def check_command_line(checker):
 
 def check_large(checker, file, text):
     """So many notes that the digest gets a thread of its own."""
-    notes = b"".join(b"n filler %05d %s\n" % (i, b"abcdefghijklmnopqrstuvwxyz" * 3) for i in range(40000))
     old = next(line for line in text.split(b"\n") if line.startswith(b"notes "))
-    body = text[:text.rindex(b"\nend ") + 1].replace(old + b"\n", b"notes %d\n" % (40000 + int(old[6:])) + notes)
     end = text[text.rindex(b"\nend ") + 1:-65]
-    digest = hashlib.sha256(body).hexdigest().encode()
-    last = body.count(b"\n") + 1
-    whole = body + end + digest + b"\n"
-    large = file("large", whole)
-    # As a frame it is larger than the buffers, and its last block too: there is text left when the file has ended.
+
+    def noted(count):
+        notes = b"".join(b"n filler %05d %s\n" % (i, b"abcdefghijklmnopqrstuvwxyz" * 3) for i in range(count))
+        body = text[:text.rindex(b"\nend ") + 1].replace(old + b"\n", b"notes %d\n" % (count + int(old[6:])) + notes)
+        return body, body + end + hashlib.sha256(body).hexdigest().encode() + b"\n"
+    body, whole = noted(40000)
+    # A frame larger than the buffers, and small ones of large blocks: text is left when the file has ended.
     parts = [whole[i:i + 131072] for i in range(0, len(whole), 131072)]
     frame = make_certificates.zstd_frame([(0, len(part), part) for part in parts], window=7 << 3)
     for cut, expected in ((frame, 0), (frame[:len(frame) // 2], 2)):
         expect(run(checker, file("frame", cut), "--threads", "1")[0] == expected, "%d of %d bytes of a frame" % (len(cut), len(frame)))
+    if shutil.which("zstd"):
+        packed = lambda text: subprocess.run(["zstd", "-q", "-c", "--no-check"], input=text, stdout=subprocess.PIPE, check=True).stdout
+        expect(run(checker, file("frame", packed(noted(1000)[1])), "--threads", "1")[0] == 0, "a frame of a large block")
+        # Of two blocks the second one is damaged: a fault in the text of the first one is found before.
+        got = run(checker, file("frame", packed(noted(2000)[1].replace(b"n filler 01300 a", b"n filler 01300 \t"))[:-1]), "--threads", "1")
+        expect(got[0] == 2 and "error[E-SYNTAX]" in got[2], "a fault before the damage: %d %s" % (got[0], got[2]))
+    digest = whole[-65:-1]
+    last = body.count(b"\n") + 1
+    large = file("large", whole)
     for threads in ("1", "2", "7"):
         expect(run(checker, large, "--threads", threads)[0] == 0, "a large certificate, %s threads" % threads)
         wrong = run(checker, file("wrong", body.replace(b"n filler 39999 a", b"n filler 39999 b") + end + digest + b"\n"), "--threads", threads)
@@ -289,7 +305,11 @@ def check_limits(checker, folder, worked):
         expected = "s VERIFIED" if line is None else "s REJECTED complex %d other-complex" % (2 + line)
         expect(last_line(got[1]) == expected, "--complex with %d bytes: %s, expected %s" % (len(data), last_line(got[1]), expected))
     # Memory that was given back is not counted.
-    expect(run(checker, path, "--threads", "1", "--memory-limit", "32M")[0] == 0 and run(checker, path, "--memory-limit", "4M")[:2] == (3, "s UNDECIDED memory-limit\n"), "--memory-limit for 40000 vertices")
+    expect(run(checker, path, "--threads", "1", "--memory-limit", "16M")[0] == 0 and run(checker, path, "--memory-limit", "4M")[:2] == (3, "s UNDECIDED memory-limit\n"), "--memory-limit for 40000 vertices")
+
+    # Nor is what has moved counted twice.
+    moving = os.path.join(CERTIFICATES, "produced", "corner-45-repaired.cert")
+    expect(run(checker, moving, "--exact", "--threads", "1", "--memory-limit", "400K")[0] == 0, "--memory-limit for numbers that grow")
 
     # A frame with a window of half the limit, and of one byte more than that.
     with open(worked, "rb") as source:
@@ -336,8 +356,21 @@ def check_claims(checker, claims):
         expect(re.search(r"\.cert:\d+:%d: error" % column, error), "the column of %s: %s" % (name, error))
 
 
-def check_pipe(checker, folder):
-    """A certificate that never arrives: the time limit and the signals end the wait."""
+def check_pipe(checker, folder, worked):
+    """A certificate that arrives in pieces, and one that never does: the time limit and the signals end the wait."""
+    pipe = os.path.join(folder, "pieces")
+    os.mkfifo(pipe)
+    with open(worked, "rb") as file:
+        text = file.read()
+    process = subprocess.Popen([checker, "--quiet", pipe], stdout=subprocess.PIPE, text=True)
+    with open(pipe, "wb", buffering=0) as out:
+        for piece in (text[:2], text[2:3], text[3:300], text[300:]):
+            try:
+                out.write(piece)
+            except BrokenPipeError:
+                break
+            time.sleep(0.1)
+    expect(process.communicate()[0] == "s VERIFIED\n", "a certificate in pieces")
     pipe = os.path.join(folder, "pipe")
     os.mkfifo(pipe)
     keep = os.open(pipe, os.O_RDWR)
