@@ -167,7 +167,7 @@ def check_command_line(checker):
                 ((crowded, "--cells", "0-0"), 3, "s UNDECIDED cells-0-0"),
                 ((os.path.join(CERTIFICATES, "reject", "emptiness-off-plane-in.cert"), "--cells", "0-0"), 5, "s REJECTED emptiness 28 cell-0-point-3"),
                 ((os.path.join(CERTIFICATES, "reject", "emptiness-off-plane-in.cert"), "--cells", "1-1"), 3, "s UNDECIDED cells-1-1"),
-                (("--help",), 0, None), (("--version",), 0, None), (("-",), 4, None), (("a-missing-file",), 4, None), ((worked, "-x"), 2, None),
+                (("--help",), 0, None), (("--version",), 0, None), (("-",), 4, None), (("a-missing-file",), 4, None), (("-x",), 2, None), ((worked, "--complex", ""), 2, None),
                 ((worked, "--threads", "1024"), 0, "s VERIFIED"), ((worked, "--threads", "1025"), 2, None), ((worked, "--threads", ""), 2, None),
                 ((worked, "--memory-limit", "100000000000000000"), 0, "s VERIFIED"), ((worked, "--memory-limit", "1000000000000000000"), 2, None),
                 ((worked, "--memory-limit", "4294967296G"), 0, "s VERIFIED"), ((worked, "--memory-limit", "4294967297G"), 2, None),
