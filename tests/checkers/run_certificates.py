@@ -214,6 +214,7 @@ def check_command_line(checker):
         report = json.loads(run(checker, worked, "--json", "--complex", same)[1])
         coplanar = json.loads(run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"), "--json")[1])
         expect(coplanar["coplanar"] is True and report["coplanar"] is False, "coplanar or not")
+        check_report_texts(checker, folder, worked, refuted)
         check_limits(checker, folder, worked)
         check_pipe(checker, folder, worked)
         check_large(checker, file, text)
@@ -229,6 +230,36 @@ def check_command_line(checker):
                 for size in range(4, len(data)):
                     got = run(checker, file("cut", data[:size]))
                     expect(got[0] == 2 and "error[E-ZSTD]" in got[2], "zstd frame cut after %d bytes: %d" % (size, got[0]))
+
+
+def check_report_texts(checker, folder, worked, refuted):
+    """Which answers come with a report, and what is in it and what is not."""
+    malformed = os.path.join(CERTIFICATES, "malformed", "truncated-tab.cert")
+    rejected = next(os.path.join(CERTIFICATES, path) for path, _, expected in manifest() if expected.startswith("s REJECTED hash "))
+    emptiness = os.path.join(CERTIFICATES, "reject", "emptiness-off-plane-in.cert")
+    for arguments, code in (((worked,), 0), ((refuted,), 1), ((worked, "--cells", "0-0"), 3), ((rejected,), 5), ((emptiness,), 5)):
+        got = run(checker, *arguments)
+        expect(got[0] == code and "\ndimension " in got[1] and " seconds, " in got[1], "a report with exit code %d" % code)
+        got = run(checker, *arguments, "--quiet")
+        expect(got[0] == code and got[1].count("\n") == 1, "--quiet with exit code %d: %s" % (code, got[1]))
+    for path, code in ((malformed, 2), (os.path.join(folder, "missing"), 4)):
+        expect(run(checker, path)[:2] == (code, ""), "no report with exit code %d" % code)
+        expect(set(json.loads(run(checker, path, "--json")[1])) & {"rule", "object", "why", "complex", "digest", "coplanar"} == set(), "fields without a meaning, exit code %d" % code)
+    plane = "all points lie in one plane"
+    expect(plane in run(checker, os.path.join(CERTIFICATES, "accept", "coplanar.cert"))[1] and plane not in run(checker, worked)[1], "whether all points lie in one plane")
+    expect("smallest relative power" not in run(checker, emptiness)[1] and "smallest relative power" in run(checker, worked)[1], "the smallest relative power of what has passed alone")
+    fields = lambda *arguments: json.loads(run(checker, *arguments, "--json")[1])
+    keys = {"rule", "line", "object", "why"}
+    expect(keys & set(fields(worked)) == set() and keys & set(fields(rejected)) == {"rule", "line", "object"}, "fields of a rejection alone")
+    expect(keys & set(fields(refuted)) == {"rule", "object"} and fields(refuted)["rule"] == run(checker, refuted)[1].split()[-2], "fields of a refutation")
+    some = fields(worked, "--cells", "0-0")
+    expect(keys & set(some) == {"why"} and some["why"] == "cells-0-0" and "coplanar" in some, "fields of some cells")
+    expect("coplanar" not in fields(rejected) and "smallest-relative-power" not in fields(emptiness), "fields of rules that were not reached")
+    # Names are spelt so that the document stays one.
+    name = os.path.join(folder, "a \"b\\c\x01\x1f\x7f~!\u00e4")
+    shutil.copy(worked, name)
+    text = run(checker, name, "--json")[1]
+    expect('"certificate":"%s/a \\"b\\\\c\\u0001\\u001f\\u007f~!' % folder in text and json.loads(text)["verdict"] == "VERIFIED", "a name with quotes and control characters: " + text[:300])
 
 
 def check_large(checker, file, text):
