@@ -14,6 +14,9 @@ SUFFIX, PREFIX, WITHIN = range(3)
 ARRAY = re.compile(r"^\s*(?:(?:const|constexpr|static|mutable) )*(?!return |throw |else |delete )[\w:<>]+ \w+\[")  # an array's size is a constant expression
 
 
+GLOBAL = re.compile(r"^[\w:<>]+ \w+(?: = |\{)[^()]*;")  # is set before the program knows which mutant is in force
+
+
 def region(code, place):
     """The whole expression around a connective: up to a bracket, a separator, an assignment or `return`."""
     depth, start = 0, place
@@ -104,7 +107,8 @@ def build(mutants, source, folder, compile_command, jobs, say, includes):
     headers (`includes`) nothing changes."""
     files = sorted(name for name in os.listdir(source) if name.endswith((".cpp", ".h")))
     inside = {number for number, mutant in enumerate(mutants)
-              if not (mutant.kind == "constant" and mutant.original[mutant.place - 1] == "[" and ARRAY.match(mutant.key.split("\t")[1]))}
+              if not (mutant.kind == "constant" and mutant.original[mutant.place - 1] == "[" and ARRAY.match(mutant.key.split("\t")[1]))
+              and not GLOBAL.match(mutant.original.split("\n")[mutant.line - 1])}
     lines = {}
     for number, mutant in enumerate(mutants):
         lines.setdefault((mutant.file, mutant.line), set()).add(number)
