@@ -47,7 +47,7 @@ LINKER = ["-Wl,-z,now", *(["-fuse-ld=gold"] if shutil.which("ld.gold") else [])]
 LIBRARIES = ["-lgmpxx", "-lgmp", "-lzstd", "-lcrypto", "-lpthread"]
 TIMEOUT = 600  # of waiting: others may keep the processor busy
 SECONDS = 60  # of the processor, for each process
-NOT_COMPILED, ENDLESS = "does not compile", "does not end"
+NOT_COMPILED, ENDLESS, NOT_STARTED = "does not compile", "does not end", "does not start"
 
 
 def check(command):
@@ -340,6 +340,14 @@ class Round:
             if by is None and mutant.key not in self.equivalent:
                 print("SURVIVES %s:%d %s\t%s" % (mutant.file, mutant.line, mutant.kind, mutant.key), flush=True)
 
+    @staticmethod
+    def first(judge, program):
+        """The certificate that notices the mutant of a program of its own, which may end the driver too: a memory limit of one byte does."""
+        try:
+            return next(judge.on_certificates(program, [-1]))[1]
+        except RuntimeError:
+            return NOT_STARTED
+
     def say(self, text):
         print(text, file=sys.stderr, flush=True)
 
@@ -391,7 +399,7 @@ class Round:
             if programs is None:
                 by = NOT_COMPILED
             else:
-                by = next(judge.on_certificates(programs[0], [-1]))[1] or judge.on_filter(programs[1], -1, mutant) or judge.on_command_lines(programs[0], -1, judge.of_command_lines(mutant), judge.of_trees(mutant))
+                by = self.first(judge, programs[0]) or judge.on_filter(programs[1], -1, mutant) or judge.on_command_lines(programs[0], -1, judge.of_command_lines(mutant), judge.of_trees(mutant))
         self.record(mutant, by)
 
 
